@@ -3,8 +3,6 @@
 #include "experiments/arms.hpp"
 #include "experiments/batch.hpp"
 #include "experiments/brakes.hpp"
-#include "experiments/corners.hpp"
-#include "experiments/felt_forces.hpp"
 #include "experiments/markdown.hpp"
 #include "experiments/numbered_options.hpp"
 #include "experiments/paper_reading.hpp"
@@ -12,20 +10,22 @@
 #include "experiments/planar.hpp"
 #include "experiments/plants.hpp"
 #include "experiments/report.hpp"
-#include "experiments/scenes.hpp"
+#include "experiments/results_page.hpp"
 #include "experiments/soft_brakes.hpp"
 #include "experiments/space.hpp"
 #include "experiments/wide_devices.hpp"
 
 #include <command_line.hpp>
 #include <output.hpp>
-#include <page_tables.hpp>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -37,9 +37,8 @@ namespace {
 
 constexpr std::uint64_t seed = plant_seed;
 constexpr std::size_t plant_count = 300;
-constexpr std::size_t few_plants = 60;  // of laws that bounce on all of them
-constexpr std::size_t felt_runs = 3, planned_runs = 13021 + arm_sample_runs + felt_runs;  // on all cores
-const std::filesystem::path results_page = PASSIVE_HAPTICS_SOURCE_DIR "/docs/results.md";
+constexpr std::size_t few_plants = 60;                  // of laws that bounce on all of them
+constexpr std::size_t planned_runs = 12181 + arm_runs;  // on all cores
 
 std::string text(std::string_view view) { return std::string(view); }
 std::string milliseconds(double time) {
@@ -274,8 +273,8 @@ batch_row random_plants(const named_wall& wall, double rate, law which,
   return {law_name, wall.name + ", " + hertz(rate), figures};
 }
 
-// Random plants and hands.
-void random_plants(page_tables& page, const std::filesystem::path& directory) {
+// Random plants and hands; the lines of the table.
+std::vector<batch_row> random_plants(page_tables& page, const std::filesystem::path& directory) {
   std::printf(
       "\n%zu random plants and hands, seed %llu; of the last lines the lag is 7 to 20 ms, but believed\n",
       plant_count, static_cast<unsigned long long>(seed));
@@ -302,12 +301,14 @@ void random_plants(page_tables& page, const std::filesystem::path& directory) {
                       written("%.2f", 1e3 * *std::max_element(spread.begin(), spread.end())),
                       written("%.1f", 1e3 * *std::max_element(depth.begin(), depth.end()))});
   }
+  return rows;
 }
 
-// Devices that no law was tuned for.
-void wide_devices(page_tables& page) {
+// Devices that no law was tuned for; those of which the data sheet is true.
+std::vector<wide_row> wide_devices(page_tables& page) {
   page["wide_ranges"] = range_table();
-  page["wide_devices"] = wide_table(follow_with_wide_devices(seed, belief::data_sheet));
+  const std::vector<wide_row> known = follow_with_wide_devices(seed, belief::data_sheet);
+  page["wide_devices"] = wide_table(known);
   page["wide_beliefs"] = wide_table(follow_with_wide_devices(seed, belief::wrong, 0.4));
   std::printf(
       "\nWide devices under velocity_direct_control, seed %llu, limits and rise times as in the data "
@@ -315,6 +316,7 @@ void wide_devices(page_tables& page) {
       "\nWide devices with believed lag x 0.3 to 3 and believed inertia x 0.5 to 2\n\n%s",
       static_cast<unsigned long long>(seed), page["wide_devices"].c_str(), page["wide_beliefs"].c_str());
   std::fflush(stdout);
+  return known;
 }
 
 // How deep the law has to rest, by what is known of a device. True where what docs/results.md claims holds.
@@ -397,28 +399,10 @@ void in_space(report& table, page_tables& page, const std::filesystem::path& dir
   }
 }
 
-// Arms with more joints than the task has dimensions, and with brakes on some joints: what a hand feels of
-// their forces, and whether it glides. True where no brake gave power.
-bool arms(page_tables& page, arm_extent extent) {
-  page["felt_forces"] = felt_forces();
-  std::printf("\nWhat a stiff hand feels of 1 N, 50 to 100 ms after it began\n\n%s",
-              page["felt_forces"].c_str());
-  std::printf("\nArms along %zu random walls each; \"-\": not measured without --arms\n\n%s", arm_walls,
-              arm_head().c_str());
-  const std::vector<arm_row> rows = follow_with_arms(extent);
-  page["arms"] = extent == arm_extent::all
-                     ? arm_head() + arm_lines(rows)
-                     : with_rows(example::page_of_tables(results_page).table("arms"), rows);
-  constexpr double rounding = 1e-15;  // [W]
-  const double power = max_power(rows);
-  std::printf("\nThe most power that a brake gave to its arm in any time step: %.0e W\n", power);
-  if (!(power < rounding)) std::printf("FAILS: over %.0e W\n", rounding);
-  std::fflush(stdout);
-  return power < rounding;
-}
-
 // What is claimed of the runs, checked again with half the time step: bouncing is chaotic, its bands are not.
-bool bands() {
+// The runs of random plants and wide devices with the whole time step are those of the tables.
+bool bands(const std::vector<batch_row>& plants, const std::vector<wide_row>& wide) {
+  constexpr double whole_step = 1e-4, half_step = 5e-5;  // [s]
   using figures = ph::contact_metrics;
   const auto arm = [](law which, const test_wall& wall, double rate, double step, double limit = 1,
                       double gain = 1) {
@@ -435,6 +419,11 @@ bool bands() {
     how.time_step = step;
     how.lag = lag;
     return follow_with_table(law::none, planar_wall(ph::radians(slant)), how).figures;
+  };
+  const auto plants_along = [&](const named_wall& wall) {
+    for (const batch_row& row : plants)
+      if (row.law == name_of(law::velocity) && row.setting == wall.name + ", 1000 Hz") return row.figures;
+    throw std::logic_error("no such row");
   };
   const auto at_both_rates = [](auto&& holds) { return holds(1000.0) && holds(20.0); };
   const std::vector<std::pair<const char*, std::function<bool(double)>>> claims{
@@ -500,11 +489,14 @@ bool bands() {
       {"the same, random plants, planar and concave: 99 % without, median std < 0.1 mm",
        [&](double step) {
          for (const auto* wall : {&planar, &concave}) {
-           const auto runs = on_all_cores("random plants, " + wall->name, plant_count, [&](std::size_t k) {
-             setup how = random_plant(seed, k);
-             how.time_step = step;
-             return follow_with_arm(law::velocity, wall->wall, how).figures;
-           });
+           const auto runs =
+               step == whole_step
+                   ? plants_along(*wall)
+                   : on_all_cores("random plants, " + wall->name, plant_count, [&](std::size_t k) {
+                       setup how = random_plant(seed, k);
+                       how.time_step = step;
+                       return follow_with_arm(law::velocity, wall->wall, how).figures;
+                     });
            if (100 * separated(runs) > static_cast<long>(plant_count) ||
                median(values_of(runs, &figures::depth_std)) >= 1e-4)
              return false;
@@ -515,7 +507,9 @@ bool bands() {
        [&](double step) {
          std::size_t count = 0;
          int separating = 0, off = 0;
-         for (const wide_row& r : follow_with_wide_devices(seed, belief::data_sheet, 0.4, step)) {
+         const auto rows =
+             step == whole_step ? wide : follow_with_wide_devices(seed, belief::data_sheet, 0.4, step);
+         for (const wide_row& r : rows) {
            count += r.count;
            separating += r.separating;
            off += r.floating + r.never;
@@ -540,7 +534,7 @@ bool bands() {
   std::printf("\n%-78s %8s %8s\n", "Bands, by the simulation's time step", "0.1 ms", "0.05 ms");
   bool all = true;
   for (const auto& [claim, holds] : claims) {
-    const bool whole = holds(1e-4), half = holds(5e-5);
+    const bool whole = holds(whole_step), half = holds(half_step);
     all = all && whole && half;
     std::printf("%-78s %8s %8s\n", claim, whole ? "holds" : "FAILS", half ? "holds" : "FAILS");
     std::fflush(stdout);
@@ -548,19 +542,14 @@ bool bands() {
   return all;
 }
 
-// Whether docs/results.md has these tables. PASSIVE_HAPTICS_WRITE_PAGES=1 writes them there.
-bool is_printed(const page_tables& tables) {
-  example::page_of_tables page(results_page);
-  bool all = true;
-  for (const auto& [name, table] : tables) {
-    const std::string difference = page.difference(name, table);
-    if (!difference.empty()) std::printf("docs/results.md, table %s: %s\n", name.c_str(), difference.c_str());
-    all = all && difference.empty();
-    page.replace(name, table);
-  }
-  if (std::getenv("PASSIVE_HAPTICS_WRITE_PAGES") == nullptr) return all;
-  example::write_file(results_page, page.text());
-  return true;
+// The sections are a program of their own in the folder of this one: they take the compiler longer than all
+// else.
+[[noreturn]] void run_sections(char** argv) {
+  const auto program = std::filesystem::path(argv[0]).replace_filename("experiment_sections");
+  execv(program.c_str(), argv);
+  throw std::runtime_error("cannot run '" + program.string() + "': " + std::strerror(errno) +
+                           ", expected the program of the sections; build it: "
+                           "cmake --build build/examples --target experiment_sections");
 }
 
 }  // namespace
@@ -579,24 +568,13 @@ int main(int argc, char** argv) try {
   numbered.add_to(line);
   line.output(directory);
   line.parse(argc, argv);
-  if (!section.empty()) {
-    const bool others = numbered.are_given();
-    int unexplained = 0;
-    const page_tables tables =
-        section == "corners" ? follow_corners(others ? numbered.range() : default_corners)
-                             : follow_scenes(others ? numbered.range() : default_scene_hands, unexplained);
-    return (others || is_printed(tables)) && unexplained == 0 ? 0 : 1;
-  }
+  if (!section.empty()) run_sections(argv);
   if (numbered.are_given()) {
     numbered.carry_out(directory);
     return 0;
   }
+  if (all_arms) run_sections(argv);
   page_tables page;
-  if (all_arms) {
-    progress_bar::plan(arm_table_runs + felt_runs);
-    const bool hold = arms(page, arm_extent::all);
-    return is_printed(page) && hold ? 0 : 1;
-  }
   progress_bar::plan(planned_runs);
   report table;
   follow_walls(table, page);
@@ -607,13 +585,13 @@ int main(int argc, char** argv) try {
   in_space(table, page, directory);
   penetration(directory);
   draw_pull_back(directory);
-  random_plants(page, directory);
-  wide_devices(page);
+  const auto plants = random_plants(page, directory);
+  const auto wide = wide_devices(page);
   const bool rest = rest_depths(page);
   laws_and_brakes(page);
   brakes_of_another_kind(page);
-  const bool no_power = arms(page, arm_extent::sample);
-  const bool hold = bands() && rest && no_power;
+  const bool no_power = follow_with_arms(page);
+  const bool hold = bands(plants, wide) && rest && no_power;
   const bool agrees = is_printed(page);
   if (const std::size_t runs = progress_bar::done_of_all(); hold && runs != planned_runs)
     throw std::logic_error("planned_runs, expected " + std::to_string(runs));

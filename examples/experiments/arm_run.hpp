@@ -41,17 +41,6 @@ struct arm_start {
   ph::task_vector<M> normal, direction;
 };
 
-enum class arm_law { none, saturated, velocity, velocity_at_1_mm };
-inline std::string name_of(arm_law which) {
-  switch (which) {
-    case arm_law::none: return "no_direct_control";
-    case arm_law::saturated: return "saturated_direct_control";
-    case arm_law::velocity: return "velocity_direct_control";
-    case arm_law::velocity_at_1_mm: return "velocity_direct_control, rest_depth of 1 mm";
-  }
-  return "unknown law";
-}
-
 // Wall number k of an arm: a random pose that is not near a singular one, a random normal and direction. With
 // fewer brakes than joints, one at which a force within 53 degrees of the normal is displayed, of 4 N at
 // least.
@@ -175,19 +164,6 @@ arm_result follow_arm(const arm_kind<M>& kind, const Law& law, const arm_start<M
   return result;
 }
 
-template <class M>
-arm_result follow_arm(const arm_kind<M>& kind, arm_law which, const arm_start<M>& start, double lag,
-                      arm_encoders encoders) {
-  const auto with = [&](const auto& law) { return follow_arm(kind, law, start, lag, encoders); };
-  switch (which) {
-    case arm_law::none: return with(ph::no_direct_control());
-    case arm_law::saturated: return with(ph::saturated_direct_control());
-    case arm_law::velocity: return with(ph::velocity_direct_control());
-    case arm_law::velocity_at_1_mm: return with(ph::velocity_direct_control({.rest_depth = 0.001}));
-  }
-  return {};
-}
-
 inline arm_cell cell_of(const std::vector<arm_result>& results, std::size_t first, std::size_t count) {
   arm_cell cell;
   std::vector<double> spread;
@@ -205,18 +181,18 @@ inline arm_cell cell_of(const std::vector<arm_result>& results, std::size_t firs
 }
 
 // A row: all walls at all settings, or the sampled one.
-template <class M>
-arm_row follow_row(const arm_kind<M>& kind, arm_law which, arm_extent extent) {
+template <class M, class Law>
+arm_row follow_row(const arm_kind<M>& kind, const std::string& law_name, const Law& law) {
   std::vector<std::size_t> settings{sampled_setting};
-  if (extent == arm_extent::all) settings = {0, 1, 2, 3, 4, 5};
+  if (built_extent == arm_extent::all) settings = {0, 1, 2, 3, 4, 5};
   std::vector<arm_start<M>> starts;
   for (std::size_t k = 0; k < arm_walls; ++k) starts.push_back(draw_start(kind.arm, k));
   const auto results = on_all_cores(kind.name, settings.size() * arm_walls, [&](std::size_t k) {
     const std::size_t setting = settings[k / arm_walls];
     const auto encoders = setting < arm_lags.size() ? arm_encoders::exact : arm_encoders::counts;
-    return follow_arm(kind, which, starts[k % arm_walls], arm_lags[setting % arm_lags.size()], encoders);
+    return follow_arm(kind, law, starts[k % arm_walls], arm_lags[setting % arm_lags.size()], encoders);
   });
-  arm_row row{kind.name, name_of(which), {}};
+  arm_row row{kind.name, law_name, {}};
   for (std::size_t i = 0; i < settings.size(); ++i)
     row.cells[settings[i]] = cell_of(results, i * arm_walls, arm_walls);
   std::printf("%s", arm_lines({row}).c_str());
@@ -226,12 +202,17 @@ arm_row follow_row(const arm_kind<M>& kind, arm_law which, arm_extent extent) {
 
 // All laws; the sample has the recommended one.
 template <class M>
-void add_rows(std::vector<arm_row>& rows, const arm_kind<M>& kind, arm_extent extent) {
-  if (extent == arm_extent::all)
-    for (const arm_law which : {arm_law::none, arm_law::saturated})
-      rows.push_back(follow_row(kind, which, extent));
-  rows.push_back(follow_row(kind, arm_law::velocity, extent));
-  if (extent == arm_extent::all) rows.push_back(follow_row(kind, arm_law::velocity_at_1_mm, extent));
+void add_rows(std::vector<arm_row>& rows, const arm_kind<M>& kind) {
+  const auto add = [&](const std::string& law_name, const auto& law) {
+    rows.push_back(follow_row(kind, law_name, law));
+  };
+  if constexpr (built_extent == arm_extent::all) {
+    add("no_direct_control", ph::no_direct_control());
+    add("saturated_direct_control", ph::saturated_direct_control());
+  }
+  add("velocity_direct_control", ph::velocity_direct_control());
+  if constexpr (built_extent == arm_extent::all)
+    add("velocity_direct_control, rest_depth of 1 mm", ph::velocity_direct_control({.rest_depth = 0.001}));
 }
 
 }  // namespace experiments

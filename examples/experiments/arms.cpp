@@ -1,8 +1,10 @@
 #include "arms.hpp"
 
-#include "markdown.hpp"
+#include "felt_forces.hpp"
+#include "results_page.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 
 namespace experiments {
@@ -52,17 +54,7 @@ std::string line_of(const arm_row& row) {
        of_settings(row, 1, 1, [](const arm_cell& c) { return written("%d", c.too_weak); })});
 }
 
-}  // namespace
-
-std::vector<arm_row> follow_with_arms(arm_extent extent) {
-  std::vector<arm_row> rows;
-  follow_with_3r(rows, extent);
-  follow_with_4r(rows, extent);
-  follow_with_some_brakes(rows, extent);
-  follow_with_4r_in_space(rows, extent);
-  return rows;
-}
-
+// The largest power that a brake gave to its device in a time step of these runs [W].
 double max_power(const std::vector<arm_row>& rows) {
   double largest = 0;
   for (const arm_row& row : rows)
@@ -77,12 +69,7 @@ std::string arm_head() {
                         "median deviation at 20 ms [mm]: exact / counts", "brakes too weak, exact, 20 ms"});
 }
 
-std::string arm_lines(const std::vector<arm_row>& rows) {
-  std::string lines;
-  for (const arm_row& row : rows) lines += line_of(row);
-  return lines;
-}
-
+// A table with these rows in place of its own; what was not measured stays as it was.
 std::string with_rows(const std::string& table, const std::vector<arm_row>& rows) {
   std::istringstream lines(table);
   std::string all, line;
@@ -101,6 +88,36 @@ std::string with_rows(const std::string& table, const std::vector<arm_row>& rows
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (!found[k]) all += line_of(rows[k]);
   return all;
+}
+
+}  // namespace
+
+std::string arm_lines(const std::vector<arm_row>& rows) {
+  std::string lines;
+  for (const arm_row& row : rows) lines += line_of(row);
+  return lines;
+}
+
+bool follow_with_arms(page_tables& page) {
+  page["felt_forces"] = felt_forces();
+  std::printf("\nWhat a stiff hand feels of 1 N, 50 to 100 ms after it began\n\n%s",
+              page["felt_forces"].c_str());
+  std::printf("\nArms along %zu random walls each; \"-\": not measured without --arms\n\n%s", arm_walls,
+              arm_head().c_str());
+  std::vector<arm_row> rows;
+  follow_with_3r(rows);
+  follow_with_4r(rows);
+  follow_with_some_brakes(rows);
+  follow_with_4r_in_space(rows);
+  page["arms"] = built_extent == arm_extent::all
+                     ? arm_head() + arm_lines(rows)
+                     : with_rows(example::page_of_tables(results_page).table("arms"), rows);
+  constexpr double rounding = 1e-15;  // [W]
+  const double power = max_power(rows);
+  std::printf("\nThe most power that a brake gave to its arm in any time step: %.0e W\n", power);
+  if (!(power < rounding)) std::printf("FAILS: over %.0e W\n", rounding);
+  std::fflush(stdout);
+  return power < rounding;
 }
 
 }  // namespace experiments

@@ -1,6 +1,8 @@
 // Arms with more joints than the task has dimensions, and arms with brakes on some of their joints.
 #pragma once
 
+#include "markdown.hpp"
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -29,25 +31,29 @@ struct arm_row {
   std::array<std::optional<arm_cell>, arm_settings> cells;  // empty where they were not measured
 };
 
-// All rows, or a sample: the recommended law of each arm, at one setting.
+// All rows, or a sample: the recommended law of each arm, at one setting. Each further law takes the compiler
+// a minute, so only the program of the sections has all.
 enum class arm_extent { sample, all };
-inline constexpr std::size_t arm_table_runs = 32 * arm_settings * arm_walls, arm_sample_runs = 8 * arm_walls;
-std::vector<arm_row> follow_with_arms(arm_extent extent);
+#ifdef EXPERIMENTS_ALL_ARMS
+inline constexpr arm_extent built_extent = arm_extent::all;
+#else
+inline constexpr arm_extent built_extent = arm_extent::sample;
+#endif
+inline constexpr std::size_t felt_runs = 3;
+inline constexpr std::size_t arm_runs =
+    felt_runs + (built_extent == arm_extent::all ? 32 * arm_settings : 8) * arm_walls;
 
-// The largest power that a brake gave to its device in a time step of these runs [W].
-double max_power(const std::vector<arm_row>& rows);
+// The tables felt_forces and arms of docs/results.md: what a hand feels of the forces of arms, and whether it
+// glides. True where no brake gave power.
+bool follow_with_arms(page_tables& page);
 
-// The rows as a table of Markdown; what was not measured is "-".
-std::string arm_head();
+// The rows as lines of a table of Markdown; what was not measured is "-".
 std::string arm_lines(const std::vector<arm_row>& rows);
 
-// A table with these rows in place of its own; what was not measured stays as it was.
-std::string with_rows(const std::string& table, const std::vector<arm_row>& rows);
-
 // By files, which are compiled side by side.
-void follow_with_3r(std::vector<arm_row>& rows, arm_extent extent);
-void follow_with_4r(std::vector<arm_row>& rows, arm_extent extent);
-void follow_with_some_brakes(std::vector<arm_row>& rows, arm_extent extent);
-void follow_with_4r_in_space(std::vector<arm_row>& rows, arm_extent extent);
+void follow_with_3r(std::vector<arm_row>& rows);
+void follow_with_4r(std::vector<arm_row>& rows);
+void follow_with_some_brakes(std::vector<arm_row>& rows);
+void follow_with_4r_in_space(std::vector<arm_row>& rows);
 
 }  // namespace experiments

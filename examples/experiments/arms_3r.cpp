@@ -3,12 +3,12 @@
 
 namespace experiments {
 
-void follow_with_3r(std::vector<arm_row>& rows, arm_extent extent) {
+void follow_with_3r(std::vector<arm_row>& rows) {
   arm_kind three{"3R", planar_rods<3>({0.15, 0.15, 0.1})};
   const auto add = [&](const char* name, arm_wall wall) {
     three.name = name;
     three.wall = wall;
-    add_rows(rows, three, extent);
+    add_rows(rows, three);
   };
   add("3R", arm_wall::plane);
   add("3R, outside of a disc of 0.1 m", arm_wall::outside_of_disc);

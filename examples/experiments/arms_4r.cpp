@@ -3,8 +3,8 @@
 
 namespace experiments {
 
-void follow_with_4r(std::vector<arm_row>& rows, arm_extent extent) {
-  add_rows(rows, arm_kind{"4R", planar_rods<4>({0.12, 0.12, 0.1, 0.08})}, extent);
+void follow_with_4r(std::vector<arm_row>& rows) {
+  add_rows(rows, arm_kind{"4R", planar_rods<4>({0.12, 0.12, 0.1, 0.08})});
 }
 
 }  // namespace experiments

@@ -3,12 +3,10 @@
 
 namespace experiments {
 
-void follow_with_some_brakes(std::vector<arm_row>& rows, arm_extent extent) {
-  add_rows(rows, arm_kind{"3R, brakes 1 and 2", with_brakes<0, 1>(planar_rods<3>({0.15, 0.15, 0.1}))},
-           extent);
-  add_rows(rows, arm_kind{"2R, brake 1", with_brakes<0>(planar_rods<2>({0.15, 0.15}))}, extent);
-  add_rows(rows, arm_kind{"3R in space, brakes 1 and 2", with_brakes<0, 1>(spatial_rods<2>({0.2, 0.2}))},
-           extent);
+void follow_with_some_brakes(std::vector<arm_row>& rows) {
+  add_rows(rows, arm_kind{"3R, brakes 1 and 2", with_brakes<0, 1>(planar_rods<3>({0.15, 0.15, 0.1}))});
+  add_rows(rows, arm_kind{"2R, brake 1", with_brakes<0>(planar_rods<2>({0.15, 0.15}))});
+  add_rows(rows, arm_kind{"3R in space, brakes 1 and 2", with_brakes<0, 1>(spatial_rods<2>({0.2, 0.2}))});
 }
 
 }  // namespace experiments

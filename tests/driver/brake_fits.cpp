@@ -1,7 +1,8 @@
-// slow, optimised
+// slow, optimised, together
 // Samples of one formula without noise: a fit finds its constants, in any unit, from any clock and in any
 // order.
-#include <passive_haptics/bench/current_ramp.hpp>
+#include "bench_samples.hpp"
+
 #include <passive_haptics/bench/rate_sweep.hpp>
 #include <passive_haptics/bench/step_response.hpp>
 
@@ -10,17 +11,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-namespace {
+namespace brake_fits_tests {
 
-namespace ph = passive_haptics;
-
-constexpr auto exact = ph::sensor_noise::none;
+using namespace bench_samples;
 
 // ---- steps
 
@@ -30,16 +28,15 @@ struct exact_step {
   double time_constant = 0.02, dead_time = 0.0045;  // [s]
   double begin = 0;                                 // of the clock [s]
 
-  // 0.5 s at 1 kHz, with a step of the current after 0.1 s.
+  // 0.5 s, with a step of the current after 0.1 s.
   std::vector<ph::bench_sample> samples() const {
-    std::vector<ph::bench_sample> all;
-    for (int k = 0; k <= 500; ++k) {
-      const double t = 1e-3 * k, since = std::max(t - 0.1 - dead_time, 0.0);
-      const bool energised = (k > 100) == (change > 0);
-      all.push_back(
-          {begin + t, energised ? 1.0 : 0.0, 2 * t, before + change * -std::expm1(-since / time_constant)});
-    }
-    return all;
+    return at_1_khz(
+        500, [&](int k) { return (k > 100) == (change > 0) ? 1.0 : 0.0; },
+        [&](int k, double) {
+          const double since = std::max(1e-3 * k - 0.1 - dead_time, 0.0);
+          return before + change * -std::expm1(-since / time_constant);
+        },
+        begin);
   }
 };
 
@@ -51,23 +48,12 @@ void expect_found(const exact_step& one) {
   EXPECT_NEAR(found.dead_time.value, one.dead_time, 1e-4 * one.dead_time);
 }
 
-TEST(a_step_response, is_found_in_any_unit_of_the_torque) {
+TEST(a_step_response, is_found_in_any_unit_over_any_torque_on_any_clock_late_or_slow) {
   for (const double unit : {1e-9, 1e-6, 1.0, 1e6})
     expect_found({.before = 0.03 * unit, .change = 0.8 * unit});
-}
-
-TEST(a_step_response, is_found_beside_a_torque_that_is_far_larger) {
-  expect_found({.before = 40, .change = 0.5});
-  expect_found({.before = 40, .change = -0.5});
-}
-
-TEST(a_step_response, is_found_on_a_clock_that_began_long_ago) { expect_found({.begin = 4096}); }
-
-TEST(a_step_response, may_begin_many_time_constants_late) {
+  for (const double change : {0.5, -0.5}) expect_found({.before = 40, .change = change});
+  expect_found({.begin = 4096});
   expect_found({.time_constant = 0.004, .dead_time = 0.1505});
-}
-
-TEST(a_step_response, may_be_slow) {
   for (const double time_constant : {0.03, 0.05, 0.07})
     for (const double dead_time : {0.0002, 0.02, 0.045})
       expect_found({.time_constant = time_constant, .dead_time = dead_time});
@@ -105,10 +91,10 @@ TEST(a_step_response, is_told_from_noise_by_five_standard_errors_of_the_last_fif
     for (std::size_t k = 0; k < all.size(); ++k) all[k].torque += k % 2 == 0 ? 0.005 : -0.005;
     ph::fit_step_response(all);
   };
-  EXPECT_NO_THROW(fit(1.1 * least));
-  EXPECT_NO_THROW(fit(-1.1 * least));
-  EXPECT_THROW(fit(0.9 * least), std::invalid_argument);
-  EXPECT_THROW(fit(-0.9 * least), std::invalid_argument);
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_NO_THROW(fit(sign * 1.1 * least));
+    EXPECT_THROW(fit(sign * 0.9 * least), std::invalid_argument);
+  }
 }
 
 // ---- standard errors
@@ -131,18 +117,20 @@ TEST(a_curve_fit, tells_the_standard_error_of_what_follows) {
 // A period of 1 ms: a pause, up from 0.25 s to 2 A at 1.25 s, down from 1.5 s to 0 A at 2.5 s, a pause.
 double ramp(int k) { return 0.002 * std::clamp(std::min(k - 250, 2500 - k), 0, 1000); }
 bool is_within(int k, int corner, int width) { return k > corner && k < corner + width; }
+samples line_of_ramp(int last) {
+  return at_1_khz(last, ramp, [](int, double I) { return 1 + I; });
+}
 
 TEST(a_ramp_with_a_lag, leaves_out_what_is_bent_by_it_after_each_corner) {
   constexpr double way_up = 1, way_down = 5, bent = 100;  // beside 1 N m for each of 2 A [N m]
   constexpr int after_rise = 54, after_fall = 108;        // six delays [ms]
-  std::vector<ph::bench_sample> all;
   std::ptrdiff_t straight = 0;
-  for (int k = 0; k <= 2800; ++k) {
+  const samples all = at_1_khz(2800, ramp, [&](int k, double I) {
     const bool is_bent = is_within(k, 250, after_rise) || is_within(k, 1250, after_rise) ||
                          is_within(k, 1500, after_fall) || is_within(k, 2500, after_fall);
     if (k > 250 && !is_bent) ++straight;
-    all.push_back({1e-3 * k, ramp(k), 0.002 * k, ramp(k) + (is_bent ? bent : k > 1500 ? way_down : way_up)});
-  }
+    return I + (is_bent ? bent : k > 1500 ? way_down : way_up);
+  });
   const auto found = ph::fit_current_ramp(all, {.rising = 0.0090001, .falling = 0.0180001}, exact);
   for (const auto& s : found.samples) {
     ASSERT_LT(s.torque, bent) << s.current;
@@ -154,12 +142,14 @@ TEST(a_ramp_with_a_lag, leaves_out_what_is_bent_by_it_after_each_corner) {
 }
 
 TEST(a_ramp_with_a_lag, takes_fifty_of_the_longer_delay_at_least) {
-  std::vector<ph::bench_sample> all;
-  for (int k = 0; k <= 2800; ++k) all.push_back({1e-3 * k, ramp(k), 0.002 * k, 1 + ramp(k)});
-  for (const ph::ramp_delay delay : {ph::ramp_delay{0.0199, 0}, ph::ramp_delay{0, 0.0199}})
-    EXPECT_NO_THROW(ph::fit_current_ramp(all, delay, exact));
-  for (const ph::ramp_delay delay : {ph::ramp_delay{0.0201, 0}, ph::ramp_delay{0, 0.0201}})
-    EXPECT_THROW(ph::fit_current_ramp(all, delay, exact), std::invalid_argument);
+  samples all = line_of_ramp(2800);
+  const auto fit = [&](double rising, double falling) {
+    ph::fit_current_ramp(all, {rising, falling}, exact);
+  };
+  EXPECT_NO_THROW(fit(0.0199, 0));
+  EXPECT_NO_THROW(fit(0, 0.0199));
+  EXPECT_THROW(fit(0.0201, 0), std::invalid_argument);
+  EXPECT_THROW(fit(0, 0.0201), std::invalid_argument);
 }
 
 TEST(a_bench, turns_its_axis_from_the_first_sample_to_the_last) {
@@ -173,41 +163,85 @@ TEST(a_bench, turns_its_axis_from_the_first_sample_to_the_last) {
 }
 
 TEST(a_ramp_without_a_lag, is_read_up_to_its_last_sample_and_no_further) {
-  std::vector<ph::bench_sample> all;
-  for (int k = 0; k <= 2600; ++k) all.push_back({1e-3 * k, ramp(k), 0.002 * k, 1 + ramp(k)});
+  samples all = line_of_ramp(2600);
   all.push_back({2.601, 50, 5.202, 0});
-  const auto found = ph::fit_current_ramp(std::span<const ph::bench_sample>(all).first(2601), {}, exact);
+  const auto found = ph::fit_current_ramp(std::span(all).first(2601), {}, exact);
   EXPECT_EQ(found.samples.size(), 2600u - 251) << "of the last one nobody knows when its current ends";
   for (const auto& s : found.samples) ASSERT_LE(s.current, 2);
 }
 
 TEST(a_ramp_without_a_lag, takes_a_current_for_held_over_the_period_before_its_sample) {
-  std::vector<ph::bench_sample> all;
-  for (int k = 0; k <= 2800; ++k)  // on a clock that began long ago
-    all.push_back({100 + 1e-3 * k, ramp(k), 0.002 * k, (ramp(k) + ramp(k + 1)) / 2});
+  const auto torque = [](int k, double I) { return (I + ramp(k + 1)) / 2; };
+  const samples all = at_1_khz(2800, ramp, torque, 100);  // on a clock that began long ago
   const auto found = ph::fit_current_ramp(all, {}, exact);
   EXPECT_NEAR(found.rising[5].value, 1, 1e-9);
   EXPECT_NEAR(found.falling[5].value, 1, 1e-9);
 }
 
 TEST(a_ramp_without_a_lag, tells_the_residual_torque_from_the_whole_pause) {
-  std::vector<ph::bench_sample> all;
-  for (int k = 0; k <= 2600; ++k) all.push_back({1e-3 * k, ramp(k), 0.002 * k, 1 + ramp(k)});
+  samples all = line_of_ramp(2600);
   // The last two samples at 0 A
   all[249].torque += 62.75;
   all[250].torque += 62.75;
   EXPECT_NEAR(ph::fit_current_ramp(all, {}, exact).residual_torque.value, 1.5, 1e-9);
 }
 
+TEST(a_measured_ramp, becomes_a_curve_of_the_points_that_rise_beyond_doubt) {
+  ph::current_ramp ramp = measured_ramp();
+  ph::brake_curve curve = ramp.curve();
+  EXPECT_EQ(validate(curve), "");
+  EXPECT_EQ(curve.points, 11);
+  EXPECT_EQ(curve.residual_torque, 0.1);
+  EXPECT_EQ(curve.current_limit, 2);
+  EXPECT_EQ(curve.hysteresis, 0.25);
+  for (std::size_t i = 0; i < 11; ++i) {
+    EXPECT_DOUBLE_EQ(curve.table[i].current, 0.2 * static_cast<double>(i));
+    EXPECT_DOUBLE_EQ(curve.table[i].torque, 0.1 + 0.1 * static_cast<double>(i));
+  }
+
+  ramp.rising[1].value = 0.12;   // within three errors of the point before it
+  ramp.rising[2].value = 0.125;  // and so is this
+  ramp.rising[3].value = 0.135;
+  ramp.rising[9].value = 1.09;
+  ramp.hysteresis.value = -0.01;
+  curve = ramp.curve();
+  EXPECT_EQ(validate(curve), "");
+  EXPECT_EQ(curve.hysteresis, 0) << "noise";
+  ASSERT_EQ(curve.points, 9);
+  EXPECT_DOUBLE_EQ(curve.table[1].current, 0.6);
+  EXPECT_EQ(curve.table[1].torque, 0.135);
+  EXPECT_DOUBLE_EQ(curve.table[7].current, 1.8);
+  EXPECT_DOUBLE_EQ(curve.table[8].current, 2) << "the last one, so that there is torque for the limit";
+  EXPECT_DOUBLE_EQ(curve.table[8].torque, 1.1);
+}
+
+// Exact samples of torque = 0.25 + i up, and 0.25 + i + apart(i) down, i from 0 to 1 of the largest current.
+ph::current_ramp exact_ramp(double (*apart)(double)) {
+  const samples all =
+      at_1_khz(2600, ramp, [&](int k, double I) { return 0.25 + I / 2 + (k > 1300 ? apart(I / 2) : 0); });
+  return ph::fit_current_ramp(all, {}, exact);
+}
+
+TEST(a_measured_ramp, has_the_hysteresis_of_the_current_where_it_is_widest) {
+  const auto found = exact_ramp([](double i) { return 0.25 * (1 - i); });
+  EXPECT_EQ(found.max_current, 2);
+  EXPECT_NEAR(found.residual_torque.value, 0.25, 1e-12);
+  EXPECT_NEAR(found.rising[3].value, 0.55, 1e-3);
+  EXPECT_NEAR(found.falling[4].value, 0.8, 1e-3);
+  EXPECT_NEAR(found.hysteresis.value, 0.25, 1e-3) << "at 0 A";
+  EXPECT_NEAR(exact_ramp([](double i) { return i * (1 - i); }).hysteresis.value, 0.25, 2e-3) << "half-way";
+  EXPECT_NEAR(exact_ramp([](double) { return -0.125; }).hysteresis.value, 0, 1e-3)
+      << "at the greatest current, where the branches meet";
+}
+
 // ---- sweeps
 
 TEST(windows, are_of_samples_that_can_be) {
-  std::vector<ph::bench_sample> all;
-  for (int k = 0; k <= 100; ++k) all.push_back({0.01 * k, 1, 0.1 * k, 2});
-  EXPECT_EQ(ph::mean_over_windows(all, 0.0995).size(), 10u);
-  all[50].torque = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(ph::mean_over_windows(all, 0.1), std::invalid_argument);
-  EXPECT_THROW(ph::mean_over_windows(std::span(all).first(1), 0.1), std::invalid_argument);
+  samples all = at_1_khz(100, [](int) { return 1.0; }, [](int, double) { return 2.0; });
+  EXPECT_EQ(ph::mean_over_windows(all, 0.00995).size(), 10u);
+  all[50].torque = NAN;
+  EXPECT_THROW(ph::mean_over_windows(all, 0.01), std::invalid_argument);
+  EXPECT_THROW(ph::mean_over_windows(std::span(all).first(1), 0.01), std::invalid_argument);
 }
 
 // From 20 rad/s to rest, one way round or both in turn.
@@ -264,4 +298,4 @@ TEST(a_curve_fit, is_infinitely_unsure_of_a_constant_that_no_sample_tells) {
   EXPECT_TRUE(std::isinf(fit[1].standard_error));
 }
 
-}  // namespace
+}  // namespace brake_fits_tests

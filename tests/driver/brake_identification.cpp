@@ -1,9 +1,10 @@
-// slow, optimised
+// slow, optimised, together
 // Constants of simulated brakes, found again on a simulated bench within the errors that are told.
+#include "bench_samples.hpp"
+
 #include <simulated_bench.hpp>
 
 #include <passive_haptics/bench/bench_run.hpp>
-#include <passive_haptics/bench/current_ramp.hpp>
 #include <passive_haptics/bench/magnetorheological_loop.hpp>
 #include <passive_haptics/bench/rate_sweep.hpp>
 #include <passive_haptics/bench/step_response.hpp>
@@ -18,19 +19,20 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <functional>
 
-namespace {
+namespace brake_identification_tests {
 
-namespace ph = passive_haptics;
-using samples = std::vector<ph::bench_sample>;
+using namespace bench_samples;
 using example::simulated_bench;
 
 constexpr double slope = 1.6;  // [N m/A]
-constexpr std::array<std::uint64_t, 8> seeds{1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<std::uint64_t, 3> seeds{1, 2, 3};
 double line(double current) { return slope * current; }
 double steady(double) { return 2; }  // [rad/s]
+double half(double) { return 0.5; }  // [A]
+double up(double t) { return t < 0.1 ? 0 : 0.5; }
+double down(double t) { return 0.5 - up(t); }
 
 // What the bench records of a brake.
 template <class Model, class Command, class Rate, class Current>
@@ -83,31 +85,29 @@ TEST_P(brake_identification, finds_time_constants_up_and_down_and_the_dead_time)
   brake.model.residual = {.strength = 0.03, .drag = 0.002};
   for_each_seed([&](const auto& how) {
     const double share = GetParam().share;
-    const auto up = ph::fit_step_response(
-        record(brake, line, steady, [](double t) { return t < 0.1 ? 0.0 : 0.5; }, 0.4, how));
-    expect_found(up.before, 0.034, 0.03 * share, "before");
-    expect_found(up.change, 0.8, 0.001 * share, "change");
-    expect_found(up.time_constant, 0.02, 0.01 * share, "time constant");
-    expect_found(up.dead_time, 0.004, 0.03 * share, "dead time");
-    EXPECT_NEAR(up.deviation, how.noise, 0.2 * how.noise);
-    const auto down = ph::fit_step_response(
-        record(brake, line, steady, [](double t) { return t < 0.1 ? 0.5 : 0.0; }, 0.6, how));
-    expect_found(down.change, -0.8, 0.001 * share, "change");
-    expect_found(down.time_constant, 0.05, 0.01 * share, "time constant");
-    expect_found(down.dead_time, 0.004, 0.04 * share, "dead time");
+    const auto rise = ph::fit_step_response(record(brake, line, steady, up, 0.4, how));
+    expect_found(rise.before, 0.034, 0.03 * share, "before");
+    expect_found(rise.change, 0.8, 0.001 * share, "change");
+    expect_found(rise.time_constant, 0.02, 0.01 * share, "time constant");
+    expect_found(rise.dead_time, 0.004, 0.03 * share, "dead time");
+    EXPECT_NEAR(rise.deviation, how.noise, 0.2 * how.noise);
+    const auto fall = ph::fit_step_response(record(brake, line, steady, down, 0.6, how));
+    expect_found(fall.change, -0.8, 0.001 * share, "change");
+    expect_found(fall.time_constant, 0.05, 0.01 * share, "time constant");
+    expect_found(fall.dead_time, 0.004, 0.04 * share, "dead time");
   });
 }
 
 TEST_P(brake_identification, needs_one_sample_before_the_step) {
   const ph::delayed_brake<ph::coulomb_brake<double>> brake;
   for_each_seed([&](const auto& how) {
-    samples all = record(brake, line, steady, [](double t) { return t < 0.1 ? 0.0 : 0.5; }, 0.4, how);
+    samples all = record(brake, line, steady, up, 0.4, how);
     const auto stepped = std::ranges::find_if(all, [](const auto& s) { return s.current > 0; });
     ASSERT_GT(stepped - all.begin(), 1);
     all.erase(all.begin(), stepped - 1);
-    const auto up = ph::fit_step_response(all);
-    EXPECT_NEAR(up.before.value + up.change.value, slope * 0.5, 0.01);
-    EXPECT_NEAR(up.deviation, how.noise, 0.2 * how.noise);
+    const auto found = ph::fit_step_response(all);
+    EXPECT_NEAR(found.before.value + found.change.value, slope * 0.5, 0.01);
+    EXPECT_NEAR(found.deviation, how.noise, 0.2 * how.noise);
   });
 }
 
@@ -178,68 +178,6 @@ TEST_P(brake_identification, finds_the_loop_of_a_magnetorheological_brake) {
   });
 }
 
-// Rises from 0.1 N m at 0 A to 1.1 N m at 2 A, in steps that are surer than their error of 0.01 N m.
-ph::current_ramp measured_ramp() {
-  ph::current_ramp ramp;
-  ramp.max_current = 2;
-  ramp.residual_torque = {0.1, 0.01};
-  for (std::size_t i = 0; i < ramp.rising.size(); ++i)
-    ramp.rising[i] = {0.1 + 0.1 * static_cast<double>(i), 0.01};
-  ramp.hysteresis = {0.25, 0.01};
-  return ramp;
-}
-
-TEST(a_measured_ramp, becomes_a_curve_of_the_points_that_rise_beyond_doubt) {
-  ph::current_ramp ramp = measured_ramp();
-  ph::brake_curve curve = ramp.curve();
-  EXPECT_EQ(validate(curve), "");
-  EXPECT_EQ(curve.points, 11);
-  EXPECT_EQ(curve.residual_torque, 0.1);
-  EXPECT_EQ(curve.current_limit, 2);
-  EXPECT_EQ(curve.hysteresis, 0.25);
-  for (std::size_t i = 0; i < 11; ++i) {
-    EXPECT_DOUBLE_EQ(curve.table[i].current, 0.2 * static_cast<double>(i));
-    EXPECT_DOUBLE_EQ(curve.table[i].torque, 0.1 + 0.1 * static_cast<double>(i));
-  }
-
-  ramp.rising[1].value = 0.12;   // within three errors of the point before it
-  ramp.rising[2].value = 0.125;  // and so is this
-  ramp.rising[3].value = 0.135;
-  ramp.rising[9].value = 1.09;
-  ramp.hysteresis.value = -0.01;
-  curve = ramp.curve();
-  EXPECT_EQ(validate(curve), "");
-  EXPECT_EQ(curve.hysteresis, 0) << "noise";
-  ASSERT_EQ(curve.points, 9);
-  EXPECT_DOUBLE_EQ(curve.table[1].current, 0.6);
-  EXPECT_EQ(curve.table[1].torque, 0.135);
-  EXPECT_DOUBLE_EQ(curve.table[7].current, 1.8);
-  EXPECT_DOUBLE_EQ(curve.table[8].current, 2) << "the last one, so that there is torque for the limit";
-  EXPECT_DOUBLE_EQ(curve.table[8].torque, 1.1);
-}
-
-// Exact samples of torque = 0.25 + I up, and 0.25 + I + apart(I) down, with 1 s for 1 A.
-ph::current_ramp exact_ramp(double (*apart)(double)) {
-  samples all;
-  for (int k = 0; k <= 2600; ++k) {
-    const double t = 1e-3 * k, I = std::clamp(std::min(t - 0.25, 2.5 - t), 0.0, 1.0);
-    all.push_back({t, I, 2 * t, 0.25 + I + (t > 1.3 ? apart(I) : 0)});
-  }
-  return ph::fit_current_ramp(all, {}, ph::sensor_noise::none);
-}
-
-TEST(a_measured_ramp, has_the_hysteresis_of_the_current_where_it_is_widest) {
-  const auto found = exact_ramp([](double I) { return 0.25 * (1 - I); });
-  EXPECT_EQ(found.max_current, 1);
-  EXPECT_NEAR(found.residual_torque.value, 0.25, 1e-12);
-  EXPECT_NEAR(found.rising[3].value, 0.55, 1e-3);
-  EXPECT_NEAR(found.falling[4].value, 0.8, 1e-3);
-  EXPECT_NEAR(found.hysteresis.value, 0.25, 1e-3) << "at 0 A";
-  EXPECT_NEAR(exact_ramp([](double I) { return I * (1 - I); }).hysteresis.value, 0.25, 2e-3) << "half-way";
-  EXPECT_NEAR(exact_ramp([](double) { return -0.125; }).hysteresis.value, 0, 1e-3)
-      << "at the greatest current, where the branches meet";
-}
-
 // ---- sweeps
 
 TEST_P(brake_identification, finds_stribeck_effect_and_drag) {
@@ -247,8 +185,7 @@ TEST_P(brake_identification, finds_stribeck_effect_and_drag) {
   brake.coulomb.residual = {.strength = 0.01, .drag = 0.003};
   const auto rate = [](double t) { return 0.02 * std::pow(500, t / 40); };  // to 10 rad/s
   for_each_seed([&](const auto& how) {
-    const auto means =
-        ph::mean_over_windows(record(brake, line, rate, [](double) { return 0.5; }, 40, how), 0.5);
+    const auto means = ph::mean_over_windows(record(brake, line, rate, half, 40, how), 0.5);
     const auto found = ph::fit_stribeck_friction(means);
     const double share = GetParam().share;
     expect_found(found.strength, 0.81, 0.01 * share, "strength");
@@ -262,8 +199,9 @@ TEST_P(brake_identification, finds_drag) {
   ph::coulomb_brake<double> brake;
   brake.residual = {.strength = 0.01, .drag = 0.02};
   for_each_seed([&](const auto& how) {
-    const auto found = ph::fit_viscous_friction(ph::mean_over_windows(
-        record(brake, line, [](double t) { return 0.5 + t; }, [](double) { return 0.5; }, 10, how), 0.1));
+    const auto rate = [](double t) { return 0.5 + t; };
+    const auto means = ph::mean_over_windows(record(brake, line, rate, half, 10, how), 0.1);
+    const auto found = ph::fit_viscous_friction(means);
     expect_found(found.strength, 0.81, 0.001 * GetParam().share, "strength");
     expect_found(found.drag, 0.02, 0.01 * GetParam().share, "drag");
   });
@@ -296,109 +234,13 @@ TEST_P(brake_identification, tells_eddy_currents_by_a_torque_that_falls_beyond_a
   });
 }
 
-// ---- what is not to be believed
-
-// 1 s at 1 kHz, turned at 2 rad/s, with a step of the current to `current` half-way.
-samples step_to(double current, double torque) {
-  samples all;
-  for (int k = 0; k <= 1000; ++k) {
-    const double t = 1e-3 * k, since = std::max(t - 0.5, 0.0);
-    all.push_back({t, k > 500 ? current : 0, 2 * t, 0.01 * (k % 2) + torque * -std::expm1(-since / 0.02)});
-  }
-  return all;
-}
-
-// What f() says, without who says it.
-template <class F>
-std::string thrown_by(F&& f) {
-  constexpr std::string_view library = "passive_haptics: ";
-  try {
-    f();
-  } catch (const std::exception& e) {
-    const std::string_view text = e.what();
-    return std::string(text.starts_with(library) ? text.substr(library.size()) : text);
-  }
-  return "nothing";
-}
-std::string step_error(const samples& all) {
-  return thrown_by([&] { ph::fit_step_response(all); });
-}
-
-TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_step) {
-  EXPECT_EQ(step_error(step_to(1, 1)), "nothing");
-  EXPECT_EQ(step_error({}), "samples = 0, expected at least 20: record longer or faster");
-  samples all = step_to(1, 1);
-  all[3].torque = NAN;
-  EXPECT_EQ(step_error(all), "samples[3].torque [N m] = nan, expected a finite number");
-  all = step_to(1, 1);
-  all[0].current = -1;
-  EXPECT_EQ(step_error(all), "samples[0].current [A] = -1, expected a finite number >= 0");
-  all = step_to(1, 1);
-  all[4].time = all[3].time;
-  EXPECT_EQ(step_error(all), "samples[4].time [s] = 0.003, expected more than that of the sample before");
-  all = step_to(1, 1);
-  for (auto& s : all) s.position = std::min(s.position, 1.3);
-  EXPECT_EQ(step_error(all),
-            "way [rad] from 0.7 s to 0.8 s = 0, expected > 0 throughout: turn the axis faster, or by a motor "
-            "that is stronger than the brake");
-  EXPECT_EQ(step_error(step_to(0, 1)),
-            "steps of the current = 0, expected 1: record one up and one down, apart");
-  all = step_to(1, 1);
-  all.back().current = 0;
-  EXPECT_EQ(step_error(all), "steps of the current = 2, expected 1: record one up and one down, apart");
-  EXPECT_NE(step_error(step_to(1, 1e-5)).find("a step beyond the noise: step to a larger current"),
-            std::string::npos);
-  all = step_to(1, 1);
-  all.resize(560);
-  EXPECT_NE(step_error(all).find("expected at least t_d + 5 T"), std::string::npos) << step_error(all);
-}
-
-TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_ramp) {
-  const auto ramp_of = [](double max_current, double pause) {
-    samples all;
-    for (int k = 0; k <= 2000; ++k) {
-      const double t = 1e-3 * k, I = max_current * std::clamp(std::min(t - pause, 2 - t), 0.0, 0.9);
-      all.push_back({t, I, 2 * t, I + 0.001 * (k % 2)});
-    }
-    return all;
-  };
-  const auto error = [](const samples& all, const ph::ramp_delay& delay = {}) {
-    return thrown_by([&] { ph::fit_current_ramp(all, delay); });
-  };
-  EXPECT_EQ(error(ramp_of(1, 0.2)), "nothing");
-  EXPECT_EQ(error(ramp_of(0, 0.2)), "greatest current [A] = 0, expected > 0: ramp up");
-  EXPECT_EQ(error(ramp_of(1, -0.1)),
-            "samples at 0 A before the ramp = 0, expected at least 8: begin with a pause at 0 A");
-  EXPECT_EQ(error(ramp_of(1, 0.2), {.rising = 0.09}),
-            "delay over the time of the ramp = 0.1, expected less than 0.02: ramp more slowly");
-  EXPECT_EQ(error(ramp_of(1, 0.2), {.falling = -1}), "falling [s] = -1, expected a finite number >= 0");
-  samples all = ramp_of(1, 0.2);
-  all.resize(1300);
-  EXPECT_NE(error(all).find("ramp more slowly, and up to the same current and down to 0"), std::string::npos);
-}
-
-TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_sweep) {
-  const auto error = [](const samples& all, double duration) {
-    return thrown_by([&] { ph::mean_over_windows(all, duration); });
-  };
-  EXPECT_EQ(error(step_to(0, 1), 0.1), "nothing");
-  EXPECT_EQ(error(step_to(0, 1), 0), "duration [s] = 0, expected a finite number > 0");
-  EXPECT_EQ(error(step_to(0, 1), 0.3), "windows = 3, expected at least 8: record longer, or shorter windows");
-  EXPECT_EQ(
-      error(step_to(1, 1), 0.1),
-      "samples[501].current [A] = 1, expected that of the first: a sweep of the rate is at one current");
-  const std::vector<ph::rate_and_torque> still(10);
-  EXPECT_EQ(thrown_by([&] { ph::fit_viscous_friction(still); }),
-            "fastest rate [rad/s] = 0, expected > 0: turn the axis, slowly and fast");
-}
-
 // ---- the port
 
 // A bench of two brakes and three torques at 1 kHz of its own time, whose every reading a test may spoil. Its
 // second encoder turns by 3 counts a period through the wrap of a 16 bit counter.
 struct bench_device {
   int period = 0, released = 0, waits = 0;
-  std::vector<double> told;
+  ph::brake_currents<2> told{};
   std::function<void(bench_device&)> spoil = [](bench_device&) {};
 
   double now = 0;
@@ -406,7 +248,7 @@ struct bench_device {
   ph::port_sample<3> torque{0, 0, {0, 0, 7}, {true, true, true}};
   ph::port_status read = ph::port_status::ok, felt = ph::port_status::ok, taken = ph::port_status::ok;
 
-  bool flows() const { return !told.empty() && told[0] + told[1] != 0; }
+  bool flows() const { return told[0] + told[1] != 0; }
   double wait() {
     if (++waits > 1'000'000) throw std::logic_error("the test does not end");
     ++period;
@@ -426,12 +268,12 @@ struct bench_device_port {
     return of->read;
   }
   ph::port_status write(const ph::brake_currents<2>& currents) noexcept {
-    of->told = {currents[0], currents[1]};
+    of->told = currents;
     return of->taken;
   }
   void release() noexcept {
     ++of->released;
-    of->told = {0, 0};
+    of->told = {};
   }
   int counter_bits() const noexcept { return 16; }
 };
@@ -444,6 +286,8 @@ struct bench_device_sensor {
     return of->felt;
   }
 };
+
+double tenth(double) { return 0.1; }  // [A]
 
 struct record_on_bench : ::testing::Test {
   bench_device device;
@@ -465,10 +309,16 @@ struct record_on_bench : ::testing::Test {
       if (d.period >= 300) spoil(d);
     };
     duration = 1;
-    const std::string error = thrown_by([&] { record([](double) { return 0.1; }); });
-    EXPECT_FALSE(device.flows());
+    const std::string error = error_of_the_test();
     EXPECT_GE(device.released, 1);
     return error;
+  }
+  // Without what all of them say.
+  std::string error_of_the_test() {
+    const std::string error = thrown_by([&] { record(tenth); });
+    EXPECT_FALSE(device.flows());
+    constexpr std::string_view end = ": the test ended, the brake is released";
+    return error.ends_with(end) ? error.substr(0, error.size() - end.size()) : error + "!";
   }
 };
 
@@ -477,10 +327,8 @@ TEST_F(record_on_bench, follows_a_counter_through_its_wrap_and_keeps_the_limit) 
   p.torque_per_unit = 2;
   p.torque_at_zero = 4;
   p.current_limit = 0.3;
-  std::vector<double> others;
-  device.spoil = [&](bench_device& d) {
-    if (!d.told.empty()) others.push_back(d.told[0]);
-  };
+  double other = 0;
+  device.spoil = [&](bench_device& d) { other = std::max(other, d.told[0]); };
   const samples all = record([](double t) { return t > 0.01 ? 9 : -1; });
   ASSERT_EQ(all.size(), 21u);
   for (std::size_t k = 1; k < all.size(); ++k) {
@@ -489,7 +337,7 @@ TEST_F(record_on_bench, follows_a_counter_through_its_wrap_and_keeps_the_limit) 
   }
   EXPECT_EQ(all.front().current, 0);
   EXPECT_EQ(all.back().current, 0.3);
-  EXPECT_EQ(others, std::vector<double>(others.size(), 0.0)) << "the other brake is released";
+  EXPECT_EQ(other, 0) << "the other brake is released";
 }
 
 TEST_F(record_on_bench, gives_no_current_for_what_is_none) {
@@ -506,7 +354,7 @@ TEST_F(record_on_bench, records_where_port_and_sensor_have_something_new_that_is
     d.felt = d.period % 3 == 0 ? ph::port_status::ok : ph::port_status::no_sample;
     d.axes.valid[0] = d.torque.valid[1] = false;  // of no matter here
   };
-  const samples all = record([](double) { return 0.1; });
+  const samples all = record(tenth);
   ASSERT_EQ(all.size(), 11u);
   for (std::size_t k = 0; k < 11; ++k) EXPECT_NEAR(all[k].time, 0.003 * static_cast<double>(k), 1e-12);
   EXPECT_EQ(device.waits, 33) << "before each read";
@@ -527,36 +375,30 @@ TEST_F(record_on_bench, lets_the_brake_settle_under_the_first_current) {
 }
 
 TEST_F(record_on_bench, ends_with_the_brakes_released_and_the_name_of_what_was_wrong) {
-  const std::string ended = ": the test ended, the brake is released";
-  EXPECT_EQ(error_of([](bench_device&) {}), "nothing");
-  EXPECT_EQ(error_of([](bench_device& d) { d.read = ph::port_status::failed; }),
-            "encoders: device lost" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.felt = ph::port_status::failed; }),
-            "force sensor: device lost" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.read = ph::port_status::no_sample; }),
-            "encoders: no sample" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.felt = ph::port_status::bad_sample; }),
-            "force sensor: damaged samples" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.taken = ph::port_status::no_sample; }),
-            "brakes: the device takes no currents" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.axes.time = 0.3; }), "encoders: samples too late" + ended)
-      << "its clock stands still";
-  EXPECT_EQ(error_of([](bench_device& d) { d.axes.time = NAN; }), "encoders: samples too late" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.axes.time -= 1e6; }), "encoders: samples too late" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.axes.sequence = 299; }),
-            "encoders: the same sample again and again" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.torque.sequence = 299; }),
-            "force sensor: the same sample again and again" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.axes.value[1] = NAN; }), "encoder 2: NaN or infinity" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.torque.value[2] = NAN; }),
-            "force channel 3: NaN or infinity" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.now = 0.3; }), "the clock went back" + ended)
-      << "the time of the loop stands still";
-  EXPECT_EQ(error_of([](bench_device& d) { d.now = NAN; }), "the clock went back" + ended);
-  EXPECT_EQ(error_of([](bench_device& d) { d.now = d.axes.time = d.torque.time += 0.2; }),
-            "a cycle began far too late" + ended);
+  using status = ph::port_status;
+  const auto expect = [&](const std::string& error, const std::function<void(bench_device&)>& spoil) {
+    EXPECT_EQ(error_of(spoil), error);
+  };
+  expect("nothing!", [](bench_device&) {});
+  expect("encoders: device lost", [](bench_device& d) { d.read = status::failed; });
+  expect("force sensor: device lost", [](bench_device& d) { d.felt = status::failed; });
+  expect("encoders: no sample", [](bench_device& d) { d.read = status::no_sample; });
+  expect("force sensor: damaged samples", [](bench_device& d) { d.felt = status::bad_sample; });
+  expect("brakes: the device takes no currents", [](bench_device& d) { d.taken = status::no_sample; });
+  // Its clock stands still
+  expect("encoders: samples too late", [](bench_device& d) { d.axes.time = 0.3; });
+  expect("encoders: samples too late", [](bench_device& d) { d.axes.time = NAN; });
+  expect("encoders: samples too late", [](bench_device& d) { d.axes.time -= 1e6; });
+  expect("encoders: the same sample again and again", [](bench_device& d) { d.axes.sequence = 299; });
+  expect("force sensor: the same sample again and again", [](bench_device& d) { d.torque.sequence = 299; });
+  expect("encoder 2: NaN or infinity", [](bench_device& d) { d.axes.value[1] = NAN; });
+  expect("force channel 3: NaN or infinity", [](bench_device& d) { d.torque.value[2] = NAN; });
+  // The time of the loop stands still
+  expect("the clock went back", [](bench_device& d) { d.now = 0.3; });
+  expect("the clock went back", [](bench_device& d) { d.now = NAN; });
+  expect("a cycle began far too late", [](bench_device& d) { d.now = d.axes.time = d.torque.time += 0.2; });
   p.max_reading = 7;
-  EXPECT_EQ(error_of([](bench_device&) {}), "force channel 3: saturated" + ended);
+  expect("force channel 3: saturated", [](bench_device&) {});
 }
 
 // One bad count in each 100 is bridged, and loses none.
@@ -565,7 +407,7 @@ TEST_F(record_on_bench, goes_on_after_a_sample_that_is_none) {
   device.spoil = [](bench_device& d) {
     if (d.period % 100 == 50) d.axes.value[1] = NAN;
   };
-  const samples all = record([](double) { return 0.1; });
+  const samples all = record(tenth);
   ASSERT_EQ(all.size(), 991u);
   EXPECT_EQ(all.back().position - all.front().position, 3000);
 }
@@ -574,13 +416,12 @@ TEST_F(record_on_bench, goes_on_after_a_sample_that_is_none) {
 TEST_F(record_on_bench, has_limits_of_its_own) {
   p.hold_over = 0.005;
   EXPECT_EQ(error_of([](bench_device& d) {
-              if (d.period % 10 != 0) d.felt = ph::port_status::no_sample;
-              else d.felt = ph::port_status::ok;
+              d.felt = d.period % 10 == 0 ? ph::port_status::ok : ph::port_status::no_sample;
             }),
-            "force sensor: no sample: the test ended, the brake is released");
+            "force sensor: no sample");
   p.hold_over = 0.02;
   p.max_rate = 500;  // and two counts
-  EXPECT_EQ(error_of([](bench_device&) {}), "encoder 2: jumped: the test ended, the brake is released");
+  EXPECT_EQ(error_of([](bench_device&) {}), "encoder 2: jumped");
 }
 
 // Before the first good sample no clock but the number of periods is known to go on.
@@ -589,11 +430,9 @@ TEST_F(record_on_bench, ends_where_no_good_sample_ever_comes) {
   for (const bool of_sensor : {false, true}) {
     device = {};
     device.spoil = [&](bench_device& d) { (of_sensor ? d.torque.time : d.axes.time) = -5; };
-    EXPECT_EQ(thrown_by([&] { record([](double) { return 0.1; }); }),
-              std::string(of_sensor ? "force sensor" : "encoders") +
-                  ": samples too late: the test ended, the brake is released");
+    EXPECT_EQ(error_of_the_test(),
+              std::string(of_sensor ? "force sensor" : "encoders") + ": samples too late");
     EXPECT_EQ(device.waits, 21);
-    EXPECT_FALSE(device.flows());
   }
 }
 
@@ -604,7 +443,7 @@ TEST_F(record_on_bench, ends_on_the_clock_of_this_machine_whatever_the_samples_s
     d.now = d.axes.time = d.torque.time = 1e-6 * d.period;
     d.axes.value[1] = 0;
   };
-  const std::string error = thrown_by([&] { record([](double) { return 0.1; }); });
+  const std::string error = thrown_by([&] { record(tenth); });
   EXPECT_TRUE(error.starts_with("time of the test on this machine's clock [s] = ")) << error;
   EXPECT_TRUE(error.ends_with(
       ", expected at most 1.001: check the clock of the samples, and whether the machine was suspended"))
@@ -621,13 +460,13 @@ TEST_F(record_on_bench, takes_the_clock_of_this_machine_where_the_wait_names_non
     device.wait();
     device.axes.time = device.torque.time = ph::monotonic_seconds();
   };
-  EXPECT_GE(ph::record_on_bench(port, sensor, p, 0.02, [](double) { return 0.1; }, wait).back().time, 0.02);
+  EXPECT_GE(ph::record_on_bench(port, sensor, p, 0.02, tenth, wait).back().time, 0.02);
 }
 
 TEST_F(record_on_bench, needs_a_brake_an_encoder_and_a_channel_that_are_there) {
   const auto error = [&](const ph::bench_parameters& wrong) {
     p = wrong;
-    return thrown_by([&] { record([](double) { return 0.1; }); });
+    return thrown_by([&] { record(tenth); });
   };
   EXPECT_EQ(error({.brake = 2}), "brake = 2, expected 0 to 1");
   EXPECT_EQ(error({.brake = -1}), "brake = -1, expected 0 to 1");
@@ -636,4 +475,4 @@ TEST_F(record_on_bench, needs_a_brake_an_encoder_and_a_channel_that_are_there) {
   EXPECT_EQ(device.waits, 0) << "nothing was read";
 }
 
-}  // namespace
+}  // namespace brake_identification_tests

@@ -1,60 +1,47 @@
-// slow, optimised
-// What no test of a brake can have found is refused by name, and no result is made of it.
+// slow, optimised, together
+// Impossible results of a test of a brake are rejected by name, and no result is made of them.
+#include "bench_samples.hpp"
+
 #include <passive_haptics/bench/measured_brake.hpp>
 #include <passive_haptics/bench/rate_sweep.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <random>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
-namespace {
+namespace brake_refusals_tests {
 
-namespace ph = passive_haptics;
-using samples = std::vector<ph::bench_sample>;
+using namespace bench_samples;
 using means = std::vector<ph::rate_and_torque>;
 
-constexpr auto exact = ph::sensor_noise::none;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// What f() says, without who says it; "nothing" where it returns.
-template <class F>
-std::string thrown_by(F&& f) {
-  try {
-    f();
-  } catch (const std::invalid_argument& e) {
-    return std::string(e.what()).substr(std::string("passive_haptics: ").size());
-  }
-  return "nothing";
-}
-
-// 1 s at 1 kHz with a step of the current up after 0.2 s, or down. torque(t, current), t after the step [s].
-samples step(bool up, const std::function<double(double, double)>& torque) {
-  samples all;
-  for (int k = 0; k <= 1000; ++k) {
-    const double t = 1e-3 * k, current = (k > 200) == up ? 1 : 0;
-    all.push_back({t, current, 2 * t, torque(std::max(t - 0.2, 0.0), current)});
-  }
-  return all;
+// 1 s with a step of the current up after 0.2 s, or down; t after the step [s].
+samples step(bool up, const std::function<double(double t)>& torque) {
+  return at_1_khz(
+      1000, [&](int k) { return (k > 200) == up ? 1.0 : 0.0; },
+      [&](int k, double) { return torque(std::max(1e-3 * k - 0.2, 0.0)); });
 }
 double rise(double t) { return 0.02 - 0.8 * std::expm1(-t / 0.03); }
 double noise(std::mt19937_64& bits) { return 0.005 * ph::normal_number(bits); }
 
-// A pause of 0.3 s, 2 s up to 1 A, 0.3 s there, 2 s down, at 1 kHz. torque(current).
+samples noisy_step() {
+  std::mt19937_64 bits(1);
+  return step(true, [&](double t) { return rise(t) + noise(bits); });
+}
+
+// A pause of 0.3 s, 2 s up to 1 A, 0.3 s there, 2 s down; torque(current).
 samples ramp(const std::function<double(double)>& torque) {
-  samples all;
-  for (int k = 0; k <= 4800; ++k) {
-    const double t = 1e-3 * k, current = std::clamp(std::min(t - 0.3, 4.6 - t) / 2, 0.0, 1.0);
-    all.push_back({t, current, 2 * t, torque(current)});
-  }
-  return all;
+  return at_1_khz(
+      4800, [](int k) { return std::clamp(std::min(k - 300, 4600 - k) / 2000.0, 0.0, 1.0); },
+      [&](int, double I) { return torque(I); });
+}
+// The error of its fit, with noise.
+std::string ramp_error(const std::function<double(double)>& torque) {
+  std::mt19937_64 bits(1);
+  return thrown_by([&] { ph::fit_current_ramp(ramp([&](double I) { return torque(I) + noise(bits); })); });
 }
 
 // Means of 20 rates up to 10 rad/s.
@@ -71,21 +58,27 @@ std::vector<std::string> sweep_errors(const means& of, ph::sensor_noise noise = 
           thrown_by([&] { ph::fit_eddy_current_torque(of, noise); })};
 }
 
+means noisy_sweep(const std::function<double(double)>& torque) {
+  std::mt19937_64 bits(1);
+  return sweep([&](double w) { return torque(w) + noise(bits); });
+}
+
+void expect_within(const std::string& text, const std::string& begin, const std::string& end) {
+  EXPECT_TRUE(text.starts_with(begin) && text.ends_with(end)) << text;
+}
+
 const std::string or_none =
     ": read the sensor anew for each sample, or give sensor_noise::none where there is none";
 
 // ---- a sensor that hangs
 
 TEST(a_frozen_sensor, gives_no_time_constant_whatever_it_reads) {
-  for (const double frozen : {-0.9, -0.001, 0.0, 0.001, 0.002, 0.1, 0.3, 0.7, 1e-9, 1e6}) {
-    const samples all = step(true, [&](double, double) { return frozen; });
-    ASSERT_NE(thrown_by([&] { ph::fit_step_response(all); }).find("torque of all samples [N m] = "),
-              std::string::npos)
-        << frozen;
+  for (const double frozen : {-0.9, 0.0, 0.001, 0.25, 1e-9, 1e6}) {
+    const samples all = step(true, [&](double) { return frozen; });
+    expect_within(thrown_by([&] { ph::fit_step_response(all); }),
+                  "torque of all samples [N m] = ", ", expected readings that differ" + or_none);
     ASSERT_THROW(ph::fit_step_response(all, exact), std::invalid_argument) << frozen;
   }
-  EXPECT_EQ(thrown_by([] { ph::fit_step_response(step(true, [](double, double) { return 0.25; })); }),
-            "torque of all samples [N m] = 0.25, expected readings that differ" + or_none);
 }
 
 TEST(a_frozen_sensor, gives_no_curve) {
@@ -102,7 +95,7 @@ TEST(a_frozen_sensor, gives_no_friction) {
 }
 
 TEST(a_sensor_without_noise, is_declared) {
-  const samples up = step(true, [](double t, double) { return rise(t); });
+  const samples up = step(true, rise);
   EXPECT_NE(thrown_by([&] { ph::fit_step_response(up); }).find("noise of the samples [N m] = "),
             std::string::npos);
   EXPECT_NEAR(ph::fit_step_response(up, exact).time_constant.value, 0.03, 1e-6);
@@ -117,83 +110,69 @@ TEST(a_sensor_without_noise, is_declared) {
 
 TEST(a_sensor_of_24_bits, has_noise) {
   constexpr double bit = 2.0 / (1 << 24);
-  const samples up = step(true, [](double t, double) { return bit * std::round(rise(t) / bit); });
+  const samples up = step(true, [](double t) { return bit * std::round(rise(t) / bit); });
   EXPECT_NEAR(ph::fit_step_response(up).time_constant.value, 0.03, 1e-6);
 }
 
 // ---- numbers that are none, and too few
 
 TEST(a_number_that_is_none, among_means_is_named) {
-  std::mt19937_64 bits(1);
-  const means good = sweep([&](double w) { return 1 + 0.1 * w + noise(bits); });
-  for (const std::string& error : sweep_errors(good)) EXPECT_EQ(error, "nothing");
-  means one = good;
-  one[7].torque = nan;
-  for (const std::string& error : sweep_errors(one))
-    EXPECT_EQ(error, "means[7].torque [N m] = nan, expected a finite number");
-  one = good;
-  one[7].rate = -std::numeric_limits<double>::infinity();
-  for (const std::string& error : sweep_errors(one))
-    EXPECT_EQ(error, "means[7].rate [rad/s] = -inf, expected a finite number");
-  one = good;
-  for (auto& mean : one) mean.torque *= 1e200;
-  for (const std::string& error : sweep_errors(one))
-    EXPECT_EQ(error,
-              "sum of the squared residuals where a fit begins = inf, expected a finite number: give finite "
-              "samples, in the units of the formula");
+  const auto expect = [](const std::function<void(means&)>& spoil, const std::string& expected) {
+    means all = noisy_sweep([](double w) { return 1 + 0.1 * w; });
+    spoil(all);
+    for (const std::string& error : sweep_errors(all)) EXPECT_EQ(error, expected);
+  };
+  expect([](means&) {}, "nothing");
+  expect([](means& all) { all[7].torque = NAN; }, "means[7].torque [N m] = nan, expected a finite number");
+  expect([](means& all) { all[7].rate = -INFINITY; },
+         "means[7].rate [rad/s] = -inf, expected a finite number");
+  expect(
+      [](means& all) {
+        for (auto& mean : all) mean.torque *= 1e200;
+      },
+      "sum of the squared residuals where a fit begins = inf, expected a finite number: give finite "
+      "samples, in the units of the formula");
 }
 
 TEST(means_that_are_no_more_than_constants, determine_nothing) {
-  std::mt19937_64 bits(1);
-  const means all = sweep([&](double w) { return 1 + 0.1 * w + noise(bits); });
-  const auto errors = [&](std::ptrdiff_t count) {
-    return sweep_errors(means(all.begin(), all.begin() + count));
+  const means all = noisy_sweep([](double w) { return 1 + 0.1 * w; });
+  const auto expect = [&](std::size_t fit, int constants) {
+    const auto error = [&](int count) { return sweep_errors(means(all.begin(), all.begin() + count))[fit]; };
+    const std::string number = std::to_string(constants);
+    EXPECT_EQ(error(constants), "samples of a fit = " + number + ", expected more than its " + number +
+                                    " constants: record longer or faster");
+    EXPECT_EQ(error(constants + 1), "nothing");
   };
-  const auto too_few = [](int count, int constants) {
-    return "samples of a fit = " + std::to_string(count) + ", expected more than its " +
-           std::to_string(constants) + " constants: record longer or faster";
-  };
-  EXPECT_EQ(errors(2)[0], too_few(2, 2));
-  EXPECT_EQ(errors(3)[0], "nothing");
-  EXPECT_EQ(errors(4)[1], too_few(4, 4));
-  EXPECT_EQ(errors(5)[1], "nothing");
-  EXPECT_EQ(errors(3)[2], too_few(3, 3));
-  EXPECT_EQ(errors(4)[2], "nothing");
+  expect(0, 2);
+  expect(1, 4);
+  expect(2, 3);
 }
 
 TEST(a_loop, needs_a_ramp_and_a_step_needs_a_loop) {
   EXPECT_EQ(thrown_by([] { ph::fit_magnetorheological_loop({}); }),
             "ramp.max_current [A] = 0, expected > 0: record a ramp, and give its fit_current_ramp");
-  std::mt19937_64 bits(1);
-  const samples up = step(true, [&](double t, double) { return rise(t) + noise(bits); });
-  EXPECT_EQ(thrown_by([&] { ph::fit_magnetorheological_step(up, {}); }),
+  EXPECT_EQ(thrown_by([] { ph::fit_magnetorheological_step(noisy_step(), {}); }),
             "loop.max_current [A] = 0, expected > 0: give the fit_magnetorheological_loop of a ramp");
 }
 
 // ---- signs and units
 
 TEST(a_torque_of_the_wrong_sign, is_refused) {
-  std::mt19937_64 bits(1);
-  const auto up = [&](double t, double) { return -rise(t) + noise(bits); };
-  const auto down = [&](double t, double) { return rise(t) + noise(bits); };
   const std::string fix = ": give torque_per_unit of the bench the other sign";
-  const std::string rising = thrown_by([&] { ph::fit_step_response(step(true, up)); });
-  EXPECT_TRUE(rising.starts_with("change of the torque [N m] = -0.799")) << rising;
-  EXPECT_TRUE(rising.ends_with(", expected > 0 as the current rises" + fix)) << rising;
-  const std::string falling = thrown_by([&] { ph::fit_step_response(step(false, down)); });
-  EXPECT_TRUE(falling.ends_with(", expected < 0 as the current falls" + fix)) << falling;
-  const std::string of_ramp =
-      thrown_by([&] { ph::fit_current_ramp(ramp([&](double I) { return -0.02 - I + noise(bits); })); });
-  EXPECT_TRUE(of_ramp.starts_with("ramp.rising[10] [N m] = -1.0")) << of_ramp;
-  EXPECT_TRUE(of_ramp.ends_with(", expected more than residual_torque" + fix)) << of_ramp;
-  for (const std::string& error : sweep_errors(sweep([&](double w) { return -1 - 0.1 * w + noise(bits); }))) {
-    EXPECT_TRUE(error.starts_with("mean torque against the turn [N m] = -1.52")) << error;
-    EXPECT_TRUE(error.ends_with(", expected >= 0" + fix)) << error;
+  for (const bool up : {true, false}) {
+    std::mt19937_64 bits(1);
+    const samples all = step(up, [&](double t) { return (up ? -rise(t) : rise(t)) + noise(bits); });
+    expect_within(thrown_by([&] { ph::fit_step_response(all); }), "change of the torque [N m] = ",
+                  (up ? ", expected > 0 as the current rises" : ", expected < 0 as the current falls") + fix);
   }
+  expect_within(ramp_error([](double I) { return -0.02 - I; }), "ramp.rising[10] [N m] = -1.0",
+                ", expected more than residual_torque" + fix);
+  for (const std::string& error : sweep_errors(noisy_sweep([](double w) { return -1 - 0.1 * w; })))
+    expect_within(error, "mean torque against the turn [N m] = -1.52", ", expected >= 0" + fix);
 }
 
 TEST(no_torque_at_all, is_neither_of_the_wrong_sign_nor_below_zero) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
     std::mt19937_64 bits(seed);
     EXPECT_EQ(sweep_errors(sweep([&](double) { return noise(bits); }))[0], "nothing") << seed;
     const auto found = ph::fit_current_ramp(ramp([&](double I) { return I + noise(bits); }));
@@ -201,26 +180,15 @@ TEST(no_torque_at_all, is_neither_of_the_wrong_sign_nor_below_zero) {
   }
 }
 
-TEST(a_torque_below_zero, is_refused) {
-  std::mt19937_64 bits(1);
-  const std::string error =
-      thrown_by([&] { ph::fit_current_ramp(ramp([&](double I) { return I - 0.1 + noise(bits); })); });
-  EXPECT_TRUE(error.starts_with("ramp.residual_torque [N m] = -0.1")) << error;
-  EXPECT_TRUE(error.ends_with(", expected >= 0: set torque_at_zero of the bench while nothing pulls"))
-      << error;
-}
-
-TEST(a_torque_that_falls_at_last, is_refused) {
-  std::mt19937_64 bits(1);
-  const std::string error = thrown_by(
-      [&] { ph::fit_current_ramp(ramp([&](double I) { return std::min(I, 1.5 - I) + noise(bits); })); });
-  EXPECT_TRUE(error.starts_with("ramp.rising[10] [N m] = 0.5")) << error;
-  EXPECT_TRUE(error.ends_with(": ramp up to where the torque still rises, and let the brake cool before"))
-      << error;
+TEST(a_torque_that_is_below_zero_or_falls_at_last, is_refused) {
+  expect_within(ramp_error([](double I) { return I - 0.1; }), "ramp.residual_torque [N m] = -0.1",
+                ", expected >= 0: set torque_at_zero of the bench while nothing pulls");
+  expect_within(ramp_error([](double I) { return std::min(I, 1.5 - I); }), "ramp.rising[10] [N m] = 0.5",
+                ": ramp up to where the torque still rises, and let the brake cool before");
 }
 
 TEST(a_brake_that_is_saturated, has_a_curve_that_can_be) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
     std::mt19937_64 bits(seed);
     const auto found = ph::fit_current_ramp(ramp([&](double I) { return std::min(I, 0.5) + noise(bits); }));
     const ph::brake_curve curve = found.curve();
@@ -238,8 +206,7 @@ TEST(a_sensor_that_is_saturated, gives_no_curve) {
 }
 
 TEST(milliseconds, are_no_seconds) {
-  std::mt19937_64 bits(1);
-  samples all = step(true, [&](double t, double) { return rise(t) + noise(bits); });
+  samples all = noisy_step();
   const double seconds = ph::fit_step_response(all).time_constant.value;
   EXPECT_NEAR(seconds, 0.03, 0.001);
   for (auto& s : all) s.time *= 1000;
@@ -247,16 +214,87 @@ TEST(milliseconds, are_no_seconds) {
             "mean time between two samples [s] = 1, expected at most 0.2: give times in seconds, not "
             "milliseconds, or record faster");
   // Of a bench so fast that this does not show
-  samples quick;
-  for (int k = 0; k <= 10000; ++k) {
-    const double t = 0.1 * k;
-    quick.push_back({t, k > 2000 ? 1.0 : 0.0, 2 * t, rise(std::max(1e-3 * t - 0.2, 0.0)) + noise(bits)});
-  }
-  const std::string error = thrown_by([&] { ph::fit_step_response(quick); });
-  EXPECT_TRUE(error.starts_with("time constant [s] = ")) << error;
-  EXPECT_TRUE(
-      error.ends_with("expected at most 5: give the times of the samples in seconds, not milliseconds"))
-      << error;
+  std::mt19937_64 bits(1);
+  samples quick = at_1_khz(
+      10000, [](int k) { return k > 2000 ? 1.0 : 0.0; },
+      [&](int k, double) { return rise(std::max(1e-4 * k - 0.2, 0.0)) + noise(bits); });
+  for (auto& s : quick) s.time *= 100;
+  expect_within(thrown_by([&] { ph::fit_step_response(quick); }), "time constant [s] = ",
+                "expected at most 5: give the times of the samples in seconds, not milliseconds");
 }
 
-}  // namespace
+// ---- samples of each test
+
+TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_step) {
+  const auto error = [](const std::function<void(samples&)>& spoil) {
+    samples all = noisy_step();
+    spoil(all);
+    return thrown_by([&] { ph::fit_step_response(all); });
+  };
+  EXPECT_EQ(error([](samples&) {}), "nothing");
+  EXPECT_EQ(error([](samples& all) { all = {}; }),
+            "samples = 0, expected at least 20: record longer or faster");
+  EXPECT_EQ(error([](samples& all) { all[3].torque = NAN; }),
+            "samples[3].torque [N m] = nan, expected a finite number");
+  EXPECT_EQ(error([](samples& all) { all[0].current = -1; }),
+            "samples[0].current [A] = -1, expected a finite number >= 0");
+  EXPECT_EQ(error([](samples& all) { all[4].time = all[3].time; }),
+            "samples[4].time [s] = 0.003, expected more than that of the sample before");
+  EXPECT_EQ(error([](samples& all) {
+              for (auto& s : all) s.position = std::min(s.position, 1.3);
+            }),
+            "way [rad] from 0.7 s to 0.8 s = 0, expected > 0 throughout: turn the axis faster, or by a motor "
+            "that is stronger than the brake");
+  EXPECT_EQ(error([](samples& all) {
+              for (auto& s : all) s.current = 0;
+            }),
+            "steps of the current = 0, expected 1: record one up and one down, apart");
+  EXPECT_EQ(error([](samples& all) { all.back().current = 0; }),
+            "steps of the current = 2, expected 1: record one up and one down, apart");
+  expect_within(error([](samples& all) {
+                  for (std::size_t k = 0; k < all.size(); ++k)
+                    all[k].torque = 0.01 * static_cast<double>(k % 2);
+                }),
+                "change of the torque [N m] = ", "a step beyond the noise: step to a larger current");
+  expect_within(error([](samples& all) { all.resize(290); }), "record after the step [s] = 0.08",
+                ": record longer");
+}
+
+TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_ramp) {
+  const auto ramp_of = [](double max_current, int pause) {
+    return at_1_khz(
+        2000, [&](int k) { return max_current * std::clamp(1e-3 * std::min(k - pause, 2000 - k), 0.0, 0.9); },
+        [](int k, double I) { return I + 0.001 * (k % 2); });
+  };
+  const auto error = [](const samples& all, const ph::ramp_delay& delay = {}) {
+    return thrown_by([&] { ph::fit_current_ramp(all, delay); });
+  };
+  EXPECT_EQ(error(ramp_of(1, 200)), "nothing");
+  EXPECT_EQ(error(ramp_of(0, 200)), "greatest current [A] = 0, expected > 0: ramp up");
+  EXPECT_EQ(error(ramp_of(1, -100)),
+            "samples at 0 A before the ramp = 0, expected at least 8: begin with a pause at 0 A");
+  EXPECT_EQ(error(ramp_of(1, 200), {.rising = 0.09}),
+            "delay over the time of the ramp = 0.1, expected less than 0.02: ramp more slowly");
+  EXPECT_EQ(error(ramp_of(1, 200), {.falling = -1}), "falling [s] = -1, expected a finite number >= 0");
+  samples all = ramp_of(1, 200);
+  all.resize(1300);
+  expect_within(error(all), "samples near ", "ramp more slowly, and up to the same current and down to 0");
+}
+
+TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_sweep) {
+  const auto error = [](double highest, double duration) {
+    const samples all =
+        at_1_khz(1000, [&](int k) { return k > 500 ? highest : 0; }, [](int, double) { return 1.0; });
+    return thrown_by([&] { ph::mean_over_windows(all, duration); });
+  };
+  EXPECT_EQ(error(0, 0.1), "nothing");
+  EXPECT_EQ(error(0, 0), "duration [s] = 0, expected a finite number > 0");
+  EXPECT_EQ(error(0, 0.3), "windows = 3, expected at least 8: record longer, or shorter windows");
+  EXPECT_EQ(
+      error(1, 0.1),
+      "samples[501].current [A] = 1, expected that of the first: a sweep of the rate is at one current");
+  EXPECT_EQ(sweep_errors(means(10))[0],
+            "fastest rate [rad/s] = 0, expected > 0: turn the axis, slowly and fast");
+}
+
+}  // namespace brake_refusals_tests

@@ -1,5 +1,6 @@
 // A process beside the loop: that it ends after its parent, whatever happens to either.
 #include "processes.hpp"
+#include "system_call_filter.hpp"
 
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/process/child_process.hpp>
@@ -14,12 +15,14 @@
 
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <functional>
 #include <new>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ph = passive_haptics;
 
@@ -70,6 +73,28 @@ bool is_stopped(pid_t process) {
   return waitid(P_PID, static_cast<id_t>(process), &what, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
          what.si_pid == process;
 }
+
+// A kernel that refuses system calls, as in old containers.
+struct refusal {
+  unsigned call;
+  int error;
+};
+
+struct refused_calls : ::testing::Test {
+  void SetUp() override {
+    if (refused({{SYS_acct, EPERM}}, [] { return std::string(); }) != "")
+      GTEST_SKIP() << "the kernel has no seccomp filters";
+  }
+
+  // The result of a function without these calls.
+  static std::string refused(const std::vector<refusal>& all, const std::function<std::string()>& function) {
+    return processes::said_by_a_process([&] {
+      for (const auto& [call, error] : all)
+        if (!system_calls::refuse(call, error)) return std::string("no filters");
+      return function();
+    });
+  }
+};
 
 }  // namespace
 
@@ -199,6 +224,7 @@ TEST(a_child_process, ends_when_its_parent_dies_beside_others_that_it_forked) {
 
 TEST(a_child_process, hears_nothing_that_is_meant_for_its_parent) {
   ph::child_process child;
+  EXPECT_TRUE(child.stop()) << "nothing runs yet";
   ASSERT_EQ(child.start(ready, until_parent_is_gone), "");
   EXPECT_EQ(getpgid(child.pid()), child.pid()) << "Ctrl-C, Ctrl-Z and Ctrl-\\ go to a group";
   const std::set<int> obeyed{SIGKILL, SIGSTOP, SIGCONT, SIGCHLD, SIGABRT, SIGBUS,
@@ -206,14 +232,7 @@ TEST(a_child_process, hears_nothing_that_is_meant_for_its_parent) {
   for (int signal = 1; signal <= SIGRTMAX; ++signal)
     if (!obeyed.contains(signal)) kill(child.pid(), signal);
   EXPECT_TRUE(child.stop()) << "not ended by a signal";
-}
-
-TEST(a_child_process, that_does_not_run_has_nothing_to_end) {
-  ph::child_process child;
-  EXPECT_TRUE(child.stop());
-  ASSERT_EQ(child.start(ready, until_parent_is_gone), "");
-  EXPECT_TRUE(child.stop());
-  EXPECT_TRUE(child.stop());
+  EXPECT_TRUE(child.stop()) << "nothing runs any more";
 }
 
 TEST(a_child_process, keeps_no_file_open_but_the_standard_ones_and_its_pipes) {
@@ -320,4 +339,45 @@ TEST(shared_memory, is_given_back_once_it_is_out_of_use) {
     EXPECT_EQ(*where, 7);
   }
   EXPECT_EQ(msync(where, sizeof(int), MS_ASYNC), -1) << "it is still mapped";
+}
+
+TEST_F(refused_calls, without_which_a_child_keeps_no_file_are_replaced) {
+  for (const int error : {EPERM, ENOSYS}) {
+    const refusal close_range{SYS_close_range, error}, no_proc{SYS_openat, ENOENT};
+    EXPECT_EQ(refused({close_range}, files_of_a_child), "2");
+    EXPECT_EQ(refused({close_range, no_proc}, files_of_a_child), "2") << "without /proc";
+  }
+}
+
+TEST_F(refused_calls, that_cannot_be_replaced_are_named) {
+  const auto start = [] { return ph::child_process().start(ready, until_parent_is_gone); };
+  EXPECT_EQ(refused({{SYS_close_range, ENOSYS}, {SYS_openat, ENOENT}, {SYS_prlimit64, EPERM}}, start),
+            "close_range: Function not implemented; allow it where system calls are filtered, mount /proc, "
+            "or set `ulimit -n 4096`");
+  const std::string help =
+      ": Operation not permitted; allow it where system calls are filtered, as in a container";
+  EXPECT_EQ(refused({{SYS_setpgid, EPERM}}, start), "setpgid" + help);
+  EXPECT_EQ(refused({{SYS_rt_sigaction, EPERM}}, start), "sigaction" + help);
+  EXPECT_EQ(refused({{SYS_prctl, EPERM}}, start), "prctl(PR_SET_PDEATHSIG)" + help);
+  EXPECT_EQ(refused({{SYS_clone, EAGAIN}}, start),
+            "fork: Resource temporarily unavailable; end processes, or raise `ulimit -u`");
+}
+
+TEST_F(refused_calls, are_not_repeated_for_each_of_too_many_files) {
+  EXPECT_FALSE(ph::detail::close_up_to(1'000'000'000, {3, 4}));
+  EXPECT_FALSE(ph::detail::close_up_to(RLIM_INFINITY, {3, 4}));
+}
+
+TEST_F(refused_calls, leave_no_child_that_cannot_be_waited_for) {
+  const auto stop = [] {
+    ph::child_process child;
+    child.start(ready, for_ever);
+    const pid_t process = child.pid();
+    if (!system_calls::refuse(SYS_wait4, EPERM)) return std::string("no filters");
+    siginfo_t ended{};
+    const bool well = child.stop(0.1);
+    waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOWAIT);
+    return std::string(well ? "well" : ended.si_status == SIGKILL ? "killed" : "not killed");
+  };
+  EXPECT_EQ(processes::said_by_a_process(stop), "killed");
 }

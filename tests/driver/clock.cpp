@@ -1,3 +1,4 @@
+// together
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/clock.hpp>
 

@@ -1,5 +1,7 @@
 // slow
 // A device of known calibration tells counts and readings; the state that comes out is the one that went in.
+#include "../realtime/allocations.hpp"
+
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/calibration/device_calibration.hpp>
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
@@ -95,9 +97,10 @@ TEST(device_calibration, tells_the_same_without_a_force_sensor) {
     const std::array<double, 2> counts{3.0 * k, -7.0 * k};
     const auto a = with.state(1e-3 * k, counts, {0, 0});
     const auto b = without.state(1e-3 * k, counts);
-    EXPECT_EQ(a.q, b.q);
-    EXPECT_EQ(a.qd, b.qd);
-    EXPECT_EQ(a.time, b.time);
+    EXPECT_TRUE(a.q == b.q && a.qd == b.qd && a.time == b.time) << k;
+    EXPECT_LT(
+        (with.encoders.counts(with.axis_positions(a.q)) - ph::vector<double, 2>(counts[0], counts[1])).norm(),
+        1e-9);
   }
 }
 
@@ -157,6 +160,44 @@ TEST(device_calibration, is_there_in_single_precision) {
   const auto state = device.state(0, {1000, 1000}, {1, 0});
   EXPECT_NEAR(state.q[0], 1000 * 2 * std::numbers::pi / 8192, 1e-6);
   EXPECT_NEAR(state.hand_force.norm(), 1, 1e-6);
+}
+
+// A default link would turn the forces of other mechanisms
+TEST(device_calibration, refuses_a_sensor_frame_whose_link_was_not_given) {
+  const auto error = [](const ph::planar_sensor_frame<2>& frame) -> std::string {
+    try {
+      ph::device_calibration(arm(), ph::device_calibration_parameters<arm>(), frame);
+    } catch (const std::invalid_argument& wrong) {
+      return wrong.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(error({.link = {0, 0}}), "");
+  EXPECT_EQ(
+      error({}),
+      "passive_haptics: link[0] [1] = nan, expected a finite number; set link to {1, 1} on the last link "
+      "of a two_link or tendon_two_link, {0, 1} where q2 is measured from the base, {0, 0} where the "
+      "sensor does not turn");
+  EXPECT_TRUE(error({.link = {1, INFINITY}}).starts_with("passive_haptics: link[1] [1] = inf, expected"));
+  EXPECT_EQ(error({.link = {1, 1}, .mounting = NAN}),
+            "passive_haptics: mounting [rad] = nan, expected a finite number");
+}
+
+TEST(device_calibration, allocates_nothing_in_the_loop) {
+  ph::device_calibration_parameters<arm, 6> p;
+  ph::device_calibration device(arm(), p, ph::planar_sensor_frame<2>{.link = {1, 1}});
+  ph::homing<2> home(device.encoders, device.axis_positions({0, 1}));
+  double sum = 0;
+  const long count = allocations_in([&] {
+    for (int k = 0; k < 1000; ++k) {
+      const double t = 1e-3 * k;
+      const auto state = device.state(t, {1.0 * k, -2.0 * k}, {1, 2, 3, 4, 5, 6});
+      home.add(t, {1.0 * k, -2.0 * k});
+      sum += state.hand_force[0] + device.currents({0.001 * k, 0.5})[0] + home.zero_count()[0];
+      sum += device.force.tare_of({1, 2, 3, 4, 5, 6}, device.sensor_frame(state.q))[0];
+    }
+  });
+  EXPECT_EQ(count, 0) << sum;
 }
 
 struct slack_arm : arm {

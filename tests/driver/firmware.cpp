@@ -1,3 +1,4 @@
+// together
 // Whatever comes over the line, the firmware holds the limit and lets go in time. Time is the test's own.
 #include <gtest/gtest.h>
 #include <firmware/brake_controller.hpp>
@@ -5,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace firmware_tests {
 
 namespace serial = example::serial;
 
@@ -111,7 +112,7 @@ TEST(firmware, silence_ends_in_0_A_within_the_watchdogs_time_and_a_period) {
 
 TEST(firmware, currents_in_time_keep_it_active) {
   device d;
-  for (std::uint32_t t = 0; t < 10'000'000; t += usual.period) {
+  for (std::uint32_t t = 0; t < 1'000'000; t += usual.period) {
     if (t % (watchdog - usual.period) == 0) d.brake(t);
     d.controller.tick(t);
     ASSERT_EQ(d.controller.now_in(), firmware::state::active) << t;
@@ -131,55 +132,30 @@ void expect_starved(F&& disturb) {
   EXPECT_EQ(d.controller.now_in(), firmware::state::tripped);
 }
 
-TEST(firmware, garbage_does_not_feed_the_watchdog) {
+TEST(firmware, is_fed_by_nothing_but_whole_currents_for_its_brakes) {
   std::mt19937_64 random(20040627);
   expect_starved([&](device& d, std::uint32_t t) {
     for (int k = 0; k < 20; ++k)
       d.controller.receive(random() % 8 == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(random()), t);
   });
-}
-
-TEST(firmware, half_frames_do_not_feed_the_watchdog) {
-  const auto f = serial::encode(serial::pack(1, serial::currents{2, {1000, 2000}}));
-  for (std::size_t n = 0; n < f.size - 1; ++n)
+  auto f = serial::encode(serial::pack(1, serial::currents{2, {1000, 2000}}));
+  for (std::size_t n = 0; n < f.size - 1; ++n)  // half frames
     expect_starved([&](device& d, std::uint32_t t) { d.take(f.content().first(n), t); });
-}
-
-TEST(firmware, wrong_checksums_do_not_feed_the_watchdog) {
-  expect_starved([](device& d, std::uint32_t t) {
-    auto f = serial::encode(serial::pack(1, serial::currents{2, {1000, 2000}}));
-    f.byte[f.size - 2 - t / 100 % 4] ^= 0x55;
-    d.take(f.content(), t);
-  });
-}
-
-TEST(firmware, currents_for_another_number_of_brakes_do_not_count) {
-  expect_starved([](device& d, std::uint32_t t) { d.brake(t, {3, {1, 2, 3}}); });
-  expect_starved([](device& d, std::uint32_t t) { d.brake(t, {1, {1}}); });
-}
-
-TEST(firmware, other_messages_do_not_feed_the_watchdog) {
-  expect_starved([](device& d, std::uint32_t t) { d.take(serial::pack(1, serial::message_type::ask), t); });
-  expect_starved([](device& d, std::uint32_t t) { d.take(pack(1, serial::sample{.encoders = 2}), t); });
-  expect_starved([](device& d, std::uint32_t t) {
-    serial::packet unknown;
-    unknown.type = 0x7F;
-    d.take(unknown, t);
-  });
-}
-
-TEST(firmware, currents_that_come_too_late_find_the_brakes_tripped_also_before_the_next_tick) {
-  device d;
-  d.brake(0);
-  d.brake(watchdog);
-  EXPECT_TRUE(d.b.at_rest());
-  EXPECT_EQ(d.controller.now_in(), firmware::state::tripped);
+  f.byte[f.size - 3] ^= 0x55;  // in its checksum
+  expect_starved([&](device& d, std::uint32_t t) { d.take(f.content(), t); });
+  serial::packet unknown;
+  unknown.type = 0x7F;
+  for (const serial::packet& p :
+       {serial::pack(1, serial::currents{3, {1, 2, 3}}), serial::pack(1, serial::currents{1, {1}}),
+        serial::pack(1, serial::message_type::ask), pack(1, serial::sample{.encoders = 2}), unknown})
+    expect_starved([&](device& d, std::uint32_t t) { d.take(p, t); });
 }
 
 TEST(firmware, stays_tripped_until_a_release_and_then_currents) {
   device d;
   d.brake(0);
-  d.controller.tick(watchdog);
+  d.brake(watchdog);
+  EXPECT_EQ(d.controller.now_in(), firmware::state::tripped) << "also before the next tick";
   for (std::uint32_t t = watchdog; t < 10 * watchdog; t += 1000) {
     d.brake(t);
     d.controller.tick(t);
@@ -213,13 +189,11 @@ TEST(firmware, cuts_currents_at_its_limit_and_says_so) {
 }
 
 TEST(firmware, holds_limit_and_watchdog_under_any_stream) {
-  constexpr std::uint64_t seed = 20040627;
-  SCOPED_TRACE(seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(20040627);
   device d;
   std::uint32_t t = 0xFFF0'0000, last_sent = t;
   int applied = 0, trips = 0;
-  for (int k = 0; k < 300'000; ++k) {
+  for (int k = 0; k < 100'000; ++k) {
     t += static_cast<std::uint32_t>(random() % (random() % 50 == 0 ? 30'000 : 700));
     const auto before = d.controller.now_in();
     switch (random() % 6) {
@@ -242,8 +216,8 @@ TEST(firmware, holds_limit_and_watchdog_under_any_stream) {
     d.b.sent.clear();
   }
   EXPECT_LE(d.b.largest, usual.current_limit);
-  EXPECT_GT(applied, 1000);
-  EXPECT_GT(trips, 100);
+  EXPECT_GT(applied, 300);
+  EXPECT_GT(trips, 30);
 }
 
-}  // namespace
+}  // namespace firmware_tests

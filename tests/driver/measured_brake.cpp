@@ -1,5 +1,7 @@
-// slow, optimised
+// slow, optimised, together
 // From a bench to the law: what the tests of a brake found makes a controller whose hand glides along a wall.
+#include "bench_samples.hpp"
+
 #include <simulated_bench.hpp>
 
 #include <passive_haptics/bench/bench_run.hpp>
@@ -10,7 +12,6 @@
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/plant/brakes/delayed_brake.hpp>
 #include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
-#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
@@ -21,9 +22,9 @@
 #include <functional>
 #include <string>
 
-namespace {
+namespace measured_brake_tests {
 
-namespace ph = passive_haptics;
+using namespace bench_samples;
 using device = ph::tendon_two_link<double>;
 using command_of_current = std::function<double(double)>;
 
@@ -41,7 +42,7 @@ double ramp(double t) {
 
 // The three records of a brake.
 struct records {
-  std::vector<ph::bench_sample> up, down, ramp;
+  samples up, down, ramp;
 };
 template <class Model>
 records record(const Model& brake, const command_of_current& torque_of) {
@@ -66,7 +67,8 @@ ph::measured_brake measured(const records& all) {
 // A hand along the wall, at a device with two such brakes behind currents and their calibration.
 template <class Model>
 ph::contact_metrics along_the_wall(const Model& brake, const command_of_current& torque_of,
-                                   const ph::brakes_of<device>& brakes, const ph::brake_curves<2>& curves) {
+                                   const ph::measured_brake& found, bool by_default = false) {
+  const auto brakes = by_default ? ph::brakes_of<device>() : ph::measured_brakes<device>({found, found});
   const device arm;
   const auto start = arm.inverse({0.045, 0.221}, ph::elbow::left).q;
   const ph::following_hand<double, 2> hand({1, 0}, arm.position(start));
@@ -74,7 +76,7 @@ ph::contact_metrics along_the_wall(const Model& brake, const command_of_current&
                                             hand.parameters().mass, start);
   plant.set_motion(start, arm.jacobian(start).inverse() * ph::vector<double, 2>(0.05, 0.1));
   ph::controller control(arm, brakes, ph::scene(ph::wall(wall)), ph::recommended_law(arm, brakes));
-  ph::brake_calibration<2> calibration(curves);
+  ph::brake_calibration<2> calibration({found.ramp.curve(), found.ramp.curve()});
   const auto loop = [&](const ph::device_state<device>& state) {
     auto result = control(state);
     const auto currents = calibration.currents(result.capacity);
@@ -119,18 +121,9 @@ TEST(a_bench, fills_what_a_controller_a_driver_and_a_simulation_take) {
 }
 
 TEST(a_bench, leads_to_a_hand_that_glides_along_a_wall) {
-  const auto glides = [](const auto& brake, const command_of_current& torque_of) {
-    const auto all = record(brake, torque_of);
-    const ph::measured_brake found = measured(all);
-    expect_gliding(along_the_wall(brake, torque_of, ph::measured_brakes<device>({found, found}),
-                                  {found.ramp.curve(), found.ramp.curve()}));
-  };
   ph::delayed_brake<ph::coulomb_brake<double>> late;
   late.model = {.fall_ratio = 2.5, .residual = {.strength = 0.02, .drag = 0.001}};
-  glides(late, line);
-  ph::stribeck_brake<double> stribeck;
-  stribeck.coulomb.residual.strength = 0.02;
-  glides(stribeck, line);
+  expect_gliding(along_the_wall(late, line, measured(record(late, line))));
 }
 
 TEST(a_bench, leads_to_a_hand_that_glides_with_a_brake_that_has_hysteresis) {
@@ -141,8 +134,7 @@ TEST(a_bench, leads_to_a_hand_that_glides_with_a_brake_that_has_hysteresis) {
   const auto found =
       ph::measured_brake_of(ph::fit_magnetorheological_brake(all.up, all.down, all.ramp), dead_band);
   EXPECT_NEAR(found.time_constant.value, brake.time_constant, 0.001) << "of the coil, not of the torque";
-  expect_gliding(along_the_wall(brake, torque_of, ph::measured_brakes<device>({found, found}),
-                                {found.ramp.curve(), found.ramp.curve()}));
+  expect_gliding(along_the_wall(brake, torque_of, found));
 }
 
 // A weak and quick brake, of which the defaults say five times the limit and four times the lag: the law
@@ -151,83 +143,59 @@ TEST(a_bench, leads_to_a_hand_that_glides_with_a_weak_and_quick_brake) {
   const ph::coulomb_brake<double> brake{.time_constant = 0.005, .residual = {.strength = 0.02}};
   const auto torque_of = [](double current) { return 0.2 * current; };
   const ph::measured_brake found = measured(record(brake, torque_of));
-  const ph::brake_curves<2> curves{found.ramp.curve(), found.ramp.curve()};
-  expect_gliding(along_the_wall(brake, torque_of, ph::measured_brakes<device>({found, found}), curves));
-  expect_gliding(along_the_wall(brake, torque_of, {}, curves));
+  for (const bool by_default : {false, true})
+    expect_gliding(along_the_wall(brake, torque_of, found, by_default));
 }
 
 // ---- what is refused
 
-// Rises from 0.02 N m at 0 A to 0.82 N m at 0.5 A.
-ph::measured_brake good_results() {
-  ph::measured_brake found{{0.02, 1e-4}, {0.03, 1e-4}, {}, 0.05};
-  found.ramp.max_current = 0.5;
-  found.ramp.residual_torque = {0.02, 1e-4};
-  for (std::size_t i = 0; i < found.ramp.rising.size(); ++i)
-    found.ramp.rising[i] = found.ramp.falling[i] = {0.02 + 0.08 * static_cast<double>(i), 1e-4};
-  return found;
-}
-
 std::string error_of(const std::function<void(ph::measured_brake&)>& spoil) {
-  ph::measured_brakes_of<device> found{good_results(), good_results()};
+  const ph::measured_brake good{{0.02, 1e-4}, {0.03, 1e-4}, measured_ramp(), 0.05};
+  ph::measured_brakes_of<device> found{good, good};
   spoil(found[1]);
-  try {
-    ph::measured_brakes<device>(found);
-  } catch (const std::invalid_argument& error) {
-    EXPECT_THROW(ph::measured_curves(found), std::invalid_argument);
-    EXPECT_THROW(ph::simulated_brake(found[1]), std::invalid_argument);
-    return error.what();
-  }
-  return "nothing";
+  const std::string error = thrown_by([&] { ph::measured_brakes<device>(found); });
+  if (error == "nothing") return error;
+  EXPECT_THROW(ph::measured_curves(found), std::invalid_argument);
+  EXPECT_THROW(ph::simulated_brake(found[1]), std::invalid_argument);
+  EXPECT_TRUE(error.starts_with("brakes[1].")) << error;
+  return error.substr(10);
 }
 
 TEST(a_bench, whose_results_are_missing_or_cannot_be_is_refused_with_what_to_do) {
   using results = ph::measured_brake;
-  const std::string second = "passive_haptics: brakes[1].";
   EXPECT_EQ(error_of([](results&) {}), "nothing");
   EXPECT_EQ(error_of([](results& r) { r = {}; }),
-            second +
-                "time_constant [s] = 0, expected a finite number > 0: record a larger step up, and give "
-                "its fit_step_response");
+            "time_constant [s] = 0, expected a finite number > 0: record a larger step up, and give its "
+            "fit_step_response");
   EXPECT_EQ(error_of([](results& r) { r.time_constant.standard_error = INFINITY; }),
-            second +
-                "time_constant [s].standard_error = inf, expected less than the value: record a larger "
-                "step up, and give its fit_step_response");
+            "time_constant [s].standard_error = inf, expected less than the value: record a larger step up, "
+            "and give its fit_step_response");
   EXPECT_EQ(error_of([](results& r) { r.fall_time_constant.value = NAN; }),
-            second +
-                "fall_time_constant [s] = nan, expected a finite number > 0: record a larger step down, "
-                "and give its fit_step_response");
+            "fall_time_constant [s] = nan, expected a finite number > 0: record a larger step down, and give "
+            "its fit_step_response");
+  EXPECT_EQ(error_of([](results& r) { r.fall_time_constant.value = 30; }),
+            "fall_time_constant [s] = 30, expected at most 5: give the times of the samples in seconds, not "
+            "milliseconds");
   EXPECT_EQ(error_of([](results& r) { r.ramp = {}; }),
-            second +
-                "ramp.max_current [A] = 0, expected > 0: record a ramp, and give its "
-                "fit_current_ramp");
-  EXPECT_EQ(error_of([](results& r) { r.ramp.rising.back().value = 0.02; }),
-            second +
-                "ramp.rising[10] [N m] = 0.02, expected more than residual_torque: ramp up to a larger "
-                "current");
+            "ramp.max_current [A] = 0, expected > 0: record a ramp, and give its fit_current_ramp");
   EXPECT_EQ(error_of([](results& r) { r.ramp.residual_torque.value = -0.1; }),
-            second +
-                "ramp.residual_torque [N m] = -0.1, expected >= 0: set torque_at_zero of the bench while "
-                "nothing pulls");
+            "ramp.residual_torque [N m] = -0.1, expected >= 0: set torque_at_zero of the bench while nothing "
+            "pulls");
+  const auto error_of_the_last = [](double torque) {
+    return error_of([&](results& r) { r.ramp.rising.back().value = torque; });
+  };
+  EXPECT_EQ(error_of_the_last(0.1),
+            "ramp.rising[10] [N m] = 0.1, expected more than residual_torque: ramp up to a larger current");
+  EXPECT_EQ(error_of_the_last(-0.1),
+            "ramp.rising[10] [N m] = -0.1, expected more than residual_torque: give torque_per_unit of the "
+            "bench the other sign");
   EXPECT_EQ(
-      error_of([](results& r) { r.ramp.rising.back().value = 0.02 - 0.1; }),
-      second +
-          "ramp.rising[10] [N m] = -0.08, expected more than residual_torque: give torque_per_unit of the "
-          "bench the other sign");
-  EXPECT_EQ(error_of([](results& r) { r.ramp.rising.back().value = 0.7; }),
-            second +
-                "ramp.rising[10] [N m] = 0.7, expected no less than 0.74, which is there at less current: "
-                "ramp up to "
-                "where the torque still rises, and let the brake cool before");
-  EXPECT_EQ(
-      error_of([](results& r) { r.fall_time_constant.value = 30; }),
-      second +
-          "fall_time_constant [s] = 30, expected at most 5: give the times of the samples in seconds, not "
-          "milliseconds");
+      error_of_the_last(0.9),
+      "ramp.rising[10] [N m] = 0.9, expected no less than 1, which is there at less current: ramp up to "
+      "where the torque still rises, and let the brake cool before");
   EXPECT_EQ(error_of([](results& r) { r.rate_dead_band = results().rate_dead_band; }),
-            second +
-                "rate_dead_band [rad/s] = nan, expected a finite number > 0: give "
-                "rate_dead_band(resolution, window, period) of its encoder");
+            "rate_dead_band [rad/s] = nan, expected a finite number > 0: give "
+            "rate_dead_band(resolution, window, period) of its encoder");
 }
 
 TEST(a_bench, whose_steps_are_mixed_up_is_refused) {
@@ -237,18 +205,11 @@ TEST(a_bench, whose_steps_are_mixed_up_is_refused) {
   down = up;
   down.change.value = -0.8;
   const auto error = [](const auto& first, const auto& second) {
-    try {
-      ph::measured_brake_of(first, second, good_results().ramp, 0.05);
-    } catch (const std::invalid_argument& thrown) {
-      return std::string(thrown.what());
-    }
-    return std::string();
+    return thrown_by([&] { ph::measured_brake_of(first, second, measured_ramp(), 0.05); });
   };
-  EXPECT_EQ(error(up, down), "");
-  EXPECT_EQ(error(down, up),
-            "passive_haptics: up.change [N m] = -0.8, expected > 0: give the step up first, then that down");
-  EXPECT_EQ(error(up, up),
-            "passive_haptics: down.change [N m] = 0.8, expected < 0: give the step up first, then that down");
+  EXPECT_EQ(error(up, down), "nothing");
+  EXPECT_EQ(error(down, up), "up.change [N m] = -0.8, expected > 0: give the step up first, then that down");
+  EXPECT_EQ(error(up, up), "down.change [N m] = 0.8, expected < 0: give the step up first, then that down");
 }
 
-}  // namespace
+}  // namespace measured_brake_tests

@@ -1,4 +1,5 @@
 #include "../../docs/guide/your_port.hpp"
+#include "loopback_socket.hpp"
 #include "serial_peer.hpp"
 
 #include <passive_haptics/driver/thread/threaded_port.hpp>
@@ -37,39 +38,22 @@ struct at_a_socket {
   using port = udp_board;
   static constexpr double resolution = 1e-6;
 
-  at_a_socket() : listening(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0)) {
-    sockaddr_in at{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};
-    socklen_t size = sizeof at;
-    bind(listening, reinterpret_cast<sockaddr*>(&at), size);
-    getsockname(listening, reinterpret_cast<sockaddr*>(&at), &size);
-    number = ntohs(at.sin_port);
-  }
-  ~at_a_socket() { close(listening); }
-
-  port make() { return port(number); }
+  port make() { return port(static_cast<std::uint16_t>(listening.port())); }
   port make_releasing() { return make(); }
   template <class Port>
   std::string open(Port& p) {
     return p.open();
   }
   void live() {
-    sockaddr_in from{};
-    socklen_t size = sizeof from;
     float amperes[2];
-    while (recvfrom(listening, amperes, sizeof amperes, 0, reinterpret_cast<sockaddr*>(&from), &size) ==
-           sizeof amperes) {
-      has = {amperes[0], amperes[1]};
-      host = from;
-    }
+    while (listening.receive(amperes, sizeof amperes) == sizeof amperes) has = {amperes[0], amperes[1]};
     ++sample.sequence;
     sample.time += 1000;
-    sendto(listening, &sample, sizeof sample, 0, reinterpret_cast<const sockaddr*>(&host), sizeof host);
+    listening.send(&sample, sizeof sample);
   }
   std::array<double, 2> currents() { return has; }
 
-  int listening;
-  std::uint16_t number = 0;
-  sockaddr_in host{};
+  loopback_socket listening;
   board_sample sample{};
   std::array<double, 2> has{};
 };

@@ -1,3 +1,4 @@
+// together
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/checks/arrival_check.hpp>
 #include <passive_haptics/driver/rate_estimator.hpp>
@@ -8,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iostream>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -64,11 +64,9 @@ struct watched {
   std::vector<std::pair<double, double>> true_positions;
 };
 
-// (a), (e)
+// At a steady rate this is within a resolution over the window.
 TEST(rate_estimator, never_has_the_wrong_sign_for_its_window) {
-  std::cout << "seeds 1 to 200";
-  int zeros = 0, signs = 0;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     random_source random(seed);
     const random_motion motion(random);
     const double jitter = seed % 2 == 0 ? 0 : 0.2;   // of the edges [counts]
@@ -81,7 +79,6 @@ TEST(rate_estimator, never_has_the_wrong_sign_for_its_window) {
       run.add(t, x, count);
       if (run.estimator.span(0) == 0) continue;
       ASSERT_FALSE(std::isnan(run.mean_rate()));
-      (run.rate() == 0 ? zeros : signs) += 1;
       if (run.rate() != 0) {
         ASSERT_EQ(sign(run.rate()), sign(run.mean_rate())) << "seed " << seed << ", t " << t;
       }
@@ -89,7 +86,6 @@ TEST(rate_estimator, never_has_the_wrong_sign_for_its_window) {
                 run.rate() == 0 ? 2 + 2 * jitter : 1 + 2 * jitter + 1e-9);
     }
   }
-  std::cout << ": " << signs << " rates with a sign, none wrong; " << zeros << " zeros\n";
 }
 
 // 2 counts each millisecond, with the times of their arrival: each second sample waits for the next one, or
@@ -154,35 +150,6 @@ TEST(arrival_check, finds_times_of_arrival_and_no_others) {
   EXPECT_EQ(check.share(), 0) << "no time went by";
 }
 
-TEST(rate_estimator, is_at_rest_while_the_encoder_stands_on_an_edge) {
-  random_source random(7);
-  ph::rate_estimator<1> estimator;
-  for (int k = 0; k < 5000; ++k) ASSERT_EQ(estimator.add(k * T, one(random.coin() ? 41 : 42))[0], 0.0) << k;
-}
-
-// (b)
-TEST(rate_estimator, is_within_a_resolution_over_the_window_at_constant_rate) {
-  random_source random(11);
-  for (int run = 0; run < 500; ++run) {
-    const double rate = random.wide(1.0, 1e6), start = random.uniform(0.0, 1.0);
-    const double missing = run % 2 == 0 ? 0 : 0.4;
-    ph::rate_estimator<1> estimator;
-    int samples = 0;
-    for (int k = 0; k < 100; ++k) {
-      if (random.uniform(0.0, 1.0) < missing) continue;
-      ++samples;
-      const double estimate = estimator.add(k * T, one(std::floor(start + rate * k * T)))[0];
-      const double span = estimator.span(0);
-      if (samples < 2) continue;
-      ASSERT_LT(std::abs(estimate - rate), (estimate == 0 ? 2 : 1) / span * (1 + 1e-9)) << rate;
-      // A steady motion fits any window
-      if (samples > window && missing == 0) {
-        ASSERT_NEAR(span, window * T, 1e-9) << rate;
-      }
-    }
-  }
-}
-
 TEST(rate_estimator, tells_no_rate_within_its_dead_band_and_sees_twice_that) {
   const double band = ph::rate_dead_band(1, window, T);
   EXPECT_DOUBLE_EQ(band, 62.5);
@@ -195,11 +162,11 @@ TEST(rate_estimator, tells_no_rate_within_its_dead_band_and_sees_twice_that) {
       if (k < window) continue;
       ASSERT_TRUE(estimate == 0 || estimate > band * (1 + 1e-9)) << estimate;
       ASSERT_TRUE(estimate > 0 || rate < 2 * band * (1 + 1e-9)) << rate;
+      ASSERT_NEAR(estimator.span(0), window * T, 1e-9) << "a steady motion fits any window";
     }
   }
 }
 
-// (c)
 TEST(rate_estimator, lags_behind_an_acceleration_by_no_more_than_documented) {
   random_source random(13);
   double max_share = 0;
@@ -218,15 +185,13 @@ TEST(rate_estimator, lags_behind_an_acceleration_by_no_more_than_documented) {
       ASSERT_LT(std::abs(estimate - (v0 + a * (t - span / 2))), steps / span * (1 + 1e-6));
     }
   }
-  std::cout << "group delay up to " << max_share << " of rate_lag\n";
   EXPECT_GT(max_share, 0.9) << "the bound is far from what happens";
 }
 
-// (d)
 TEST(rate_estimator, has_the_right_sign_after_a_reversal_or_a_start_within_the_documented_time) {
   random_source random(14);
-  double max_share = 0, earliest = 1e9, latest = 0;
-  for (int run = 0; run < 4000; ++run) {
+  double max_share = 0;
+  for (int run = 0; run < 1000; ++run) {
     const double a = random.positive(100.0, 1e7), turn = random.uniform(0.03, 0.031),
                  x0 = random.uniform(0.0, 1.0);
     const bool from_rest = run % 2 == 0, down = run % 4 < 2;
@@ -243,15 +208,10 @@ TEST(rate_estimator, has_the_right_sign_after_a_reversal_or_a_start_within_the_d
     ASSERT_LE(last_wrong + T - turn, onset * (1 + 1e-9))
         << "a " << a << (from_rest ? " from rest" : " reversed");
     max_share = std::max(max_share, (last_wrong + T - turn) / onset);
-    earliest = std::min(earliest, onset);
-    latest = std::max(latest, onset);
   }
-  std::cout << "seen after up to " << max_share << " of rate_onset, " << earliest << " to " << latest
-            << " s\n";
   EXPECT_GT(max_share, 0.8) << "the bound is far from what happens";
 }
 
-// (f)
 TEST(rate_estimator, is_not_changed_by_times_that_do_not_go_on_or_by_counts_that_are_no_numbers) {
   ph::rate_estimator<2> plain, disturbed;
   random_source random(15);
@@ -337,12 +297,7 @@ TEST(rate_estimator, complains_of_what_it_cannot_do) {
             "resolution [counts] = 0, expected a finite number > 0");
   EXPECT_EQ(validate(ph::rate_estimator_parameters{.window = 0}),
             "window [periods] = 0, expected a whole number >= 1");
-  try {
-    ph::rate_estimator<1, 8> small({.window = 9});
-    FAIL();
-  } catch (const std::invalid_argument& e) {
-    EXPECT_STREQ(e.what(), "passive_haptics: window [periods] = 9, expected at most the capacity, 8");
-  }
+  EXPECT_THROW((ph::rate_estimator<1, 8>({.window = 9})), std::invalid_argument);
 }
 
 }  // namespace

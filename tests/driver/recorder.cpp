@@ -23,9 +23,18 @@ struct seen {
   bool closed = false;
 };
 
-struct checking_sink {
+struct sink {
+  std::string open() { return {}; }
+  void take(const record&) {}
+  void rest(std::uint64_t) {}
+  void close() {}
+};
+
+struct checking_sink : sink {
+  explicit checking_sink(ph::shared_memory<seen>* to, std::string what = {})
+      : into(to), missing(std::move(what)) {}
   ph::shared_memory<seen>* into;
-  std::string missing{};
+  std::string missing;
   std::uint64_t expected = 0;
 
   std::string open() { return missing; }
@@ -34,7 +43,6 @@ struct checking_sink {
     expected = r.number + 1;
     ++(*into)->count;
   }
-  void rest(std::uint64_t) {}
   void close() { (*into)->closed = true; }
 };
 
@@ -75,20 +83,21 @@ TEST(a_shared_ring, hands_over_whole_records_between_threads) {
 
 TEST(a_recorder, writes_all_down_in_another_process) {
   ph::shared_memory<seen> written;
-  {
-    ph::recorder<record, checking_sink> log(checking_sink{&written});
-    ASSERT_EQ(log.start(), "");
-    std::uint64_t pushed = 0;
-    EXPECT_EQ(allocations_in([&] {
-                for (std::uint64_t n = 0; n < 5000; ++n) pushed += log({n, n * n});
-              }),
-              0);
-    EXPECT_EQ(pushed, 5000u);
-    log.stop();
-    EXPECT_EQ(written->count, 5000u);
-    EXPECT_TRUE(written->closed);
-    EXPECT_EQ(log.lost(), 0u);
-  }
+  ph::recorder<record, checking_sink> log(checking_sink{&written});
+  ASSERT_EQ(log.start(), "");
+  const pid_t process = log.pid();
+  EXPECT_EQ(log.start(), "start() was called before: the process runs");
+  EXPECT_EQ(log.pid(), process);
+  std::uint64_t pushed = 0;
+  EXPECT_EQ(allocations_in([&] {
+              for (std::uint64_t n = 0; n < 5000; ++n) pushed += log({n, n * n});
+            }),
+            0);
+  EXPECT_EQ(pushed, 5000u);
+  EXPECT_TRUE(log.stop());
+  EXPECT_EQ(written->count, 5000u);
+  EXPECT_TRUE(written->closed);
+  EXPECT_EQ(log.lost(), 0u);
   EXPECT_EQ(written->wrong, 0u);
 }
 
@@ -118,10 +127,7 @@ TEST(a_recorder, that_was_killed_counts_what_it_did_not_take) {
 }
 
 TEST(a_recorder, whose_sink_fails_at_the_end_tells_so) {
-  struct failing {
-    std::string open() { return {}; }
-    void take(const record&) {}
-    void rest(std::uint64_t) {}
+  struct failing : sink {
     void close() { throw std::runtime_error("the disk is full"); }
   };
   ph::recorder<record, failing> log(failing{});
@@ -132,13 +138,12 @@ TEST(a_recorder, whose_sink_fails_at_the_end_tells_so) {
 }
 
 // A disk that takes the first ten records.
-struct full_disk {
+struct full_disk : sink {
+  explicit full_disk(ph::shared_memory<std::atomic<std::uint64_t>>* to) : told(to) {}
   ph::shared_memory<std::atomic<std::uint64_t>>* told;
   std::uint64_t taken = 0;
-  std::string open() { return {}; }
   void take(const record&) { ++taken; }
   void rest(std::uint64_t missing) { **told = missing; }
-  void close() {}
   std::uint64_t lost() const { return taken < 10 ? 0 : taken - 10; }
 };
 
@@ -167,11 +172,10 @@ TEST(a_recorder, tells_its_sink_what_did_not_fit) {
 }
 
 TEST(a_recorder, that_writes_to_a_pipe_which_nobody_reads_goes_on) {
-  struct to_pipe {
+  struct to_pipe : sink {
+    explicit to_pipe(ph::shared_memory<seen>* to) : into(to) {}
     ph::shared_memory<seen>* into;
-    std::string open() { return {}; }
     void take(const record&) { (*into)->wrong += write(STDOUT_FILENO, "x", 1) >= 0; }
-    void rest(std::uint64_t) {}
     void close() { (*into)->closed = true; }
   };
   std::array<int, 2> ends;
@@ -190,17 +194,6 @@ TEST(a_recorder, that_writes_to_a_pipe_which_nobody_reads_goes_on) {
   EXPECT_EQ(written->wrong, 0u);
   close(output);
   close(ends[1]);
-}
-
-TEST(a_recorder, is_started_once) {
-  ph::shared_memory<seen> written;
-  ph::recorder<record, checking_sink> log(checking_sink{&written});
-  ASSERT_EQ(log.start(), "");
-  const pid_t process = log.pid();
-  EXPECT_EQ(log.start(), "start() was called before: the process runs");
-  EXPECT_EQ(log.pid(), process);
-  EXPECT_TRUE(log.stop());
-  EXPECT_TRUE(written->closed);
 }
 
 TEST(a_recorder, that_cannot_open_its_file_says_so) {

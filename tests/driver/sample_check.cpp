@@ -1,3 +1,4 @@
+// together
 // What a sequence number tells, at every distance from the last one that could overflow.
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/checks/sample_check.hpp>

@@ -1,6 +1,7 @@
 // slow
 // What a cycle of the whole driver asks of the kernel: to sleep, and nothing else.
 #include "../realtime/allocations.hpp"
+#include "loopback_socket.hpp"
 #include "serial_peer.hpp"
 #include "system_call_filter.hpp"
 
@@ -15,9 +16,6 @@
 #include <passive_haptics/passive_haptics.hpp>
 #include <ports/net_ft.hpp>
 #include <serial/serial_port.hpp>
-
-#include <arpa/inet.h>
-#include <netinet/in.h>
 
 #include <signal.h>
 #include <sys/wait.h>
@@ -150,38 +148,28 @@ class filtered_cycles {
 // A board on a pseudo-terminal and a force sensor on the loopback interface, which live in a thread.
 class devices {
  public:
-  devices() : board({.watchdog = 60'000}), socket_(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0)) {
-    sockaddr_in here{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};
-    socklen_t size = sizeof here;
-    bind(socket_, reinterpret_cast<sockaddr*>(&here), size);
-    getsockname(socket_, reinterpret_cast<sockaddr*>(&here), &size);
-    sensor_port = ntohs(here.sin_port);
+  devices() : board({.watchdog = 60'000}) {
     life_ = std::thread([this] { live(); });
     life_.detach();  // it ends with the process
   }
 
   serial_peer board;
-  int sensor_port = 0;
+  loopback_socket sensor;
 
  private:
   void live() {
     std::array<std::uint32_t, 9> record{};
-    sockaddr_in host{};
     for (;; usleep(1000)) {
       board.hear();
       board.tick();
       std::array<std::uint8_t, 8> request;
-      socklen_t size = sizeof host;
-      while (recvfrom(socket_, request.data(), request.size(), 0, reinterpret_cast<sockaddr*>(&host), &size) >
-             0) {
+      while (sensor.receive(request.data(), request.size()) > 0) {
       }
       record[0] = htonl(ntohl(record[0]) + 1);
-      if (host.sin_port != 0)
-        sendto(socket_, record.data(), sizeof record, 0, reinterpret_cast<sockaddr*>(&host), sizeof host);
+      if (sensor.peer().sin_port != 0) sensor.send(record.data(), sizeof record);
     }
   }
 
-  int socket_;
   std::thread life_;
 };
 
@@ -196,7 +184,7 @@ template <class Port, class Sensor>
   line.open_timeout = 20;
   example::net_ft_parameters sensor;
   sensor.host = "127.0.0.1";
-  sensor.port = all.sensor_port;
+  sensor.port = all.sensor.port();
   sensor.open_timeout = 20;
   ph::safe_port_parameters<2, 6> limits;
   limits.hold_over = 10;  // of this nothing is tested here

@@ -1,3 +1,4 @@
+// slow, no sanitizers
 // The experiments by number: parts, however they were run, are merged to what one run writes, byte for byte.
 #include "a_shell.hpp"
 
@@ -58,14 +59,9 @@ TEST_F(numbered, refuses_parts_that_are_not_each_experiment_once) {
     std::ofstream(here / name, std::ios::binary) << content;
   };
   file("first", expected.substr(0, at(10)));
-  file("last", head + expected.substr(at(10)));
   file("overlapping", head + expected.substr(at(9)));
-  file("cut", head + expected.substr(at(10), at(29) - at(10)) + expected.substr(at(29), 40));
   file("without_its_end", head + expected.substr(at(10), expected.size() - at(10) - 1));
-  file("with_an_empty_line", expected.substr(0, at(10)) + "\n");
   file("without_a_head", expected.substr(at(10)));
-  file("another", "a, b\n1, 2\n");
-  file("empty", "");
   file("of_a_large_number", head + std::string(30, '9') + expected.substr(at(29) + 2));
   const std::string copy = ": expected a whole line of experiments; copy the file again";
   const std::string its_head =
@@ -74,19 +70,12 @@ TEST_F(numbered, refuses_parts_that_are_not_each_experiment_once) {
   for (const auto& [files, message] :
        {std::pair{"first", std::string("no file has experiments 10 to 29, expected experiments 0 to 29; run "
                                        "--first 10 --last 29")},
-        {"last", "no file has experiments 0 to 9, expected experiments 0 to 29; run --first 0 --last 9"},
         {"first overlapping",
          "experiment 9 is in 'first' and in 'overlapping', expected it once; leave one of "
          "them out"},
-        {"first last first",
-         "experiment 0 is in 'first' and in 'first', expected it once; leave one of them out"},
-        {"first cut", "'cut', line 21" + copy},
         {"first without_its_end", "'without_its_end', line 21" + copy},
-        {"with_an_empty_line last", "'with_an_empty_line', line 12" + copy},
         {"of_a_large_number", "'of_a_large_number', line 2" + copy},
         {"first without_a_head", "'without_a_head'" + its_head},
-        {"first another", "'another'" + its_head},
-        {"first empty", "'empty'" + its_head},
         {"first none", "cannot read 'none', expected a file of experiments; give its name anew"},
         {"first .", "cannot read '.', expected a file of experiments; give its name anew"}}) {
     const outcome o = run("--first 0 --last 29 --output merged --merge " + std::string(files));
@@ -94,8 +83,8 @@ TEST_F(numbered, refuses_parts_that_are_not_each_experiment_once) {
     EXPECT_EQ(o.err, "error: " + message + "\n");
     EXPECT_TRUE(fs::is_empty(here / "merged")) << files;
   }
-  EXPECT_EQ(run("--first 0 --last 28 --merge first last").err,
-            "error: 'last': experiment 29, expected experiments 0 to 28; leave the file out, or give another "
+  EXPECT_EQ(run("--first 0 --last 8 --merge first").err,
+            "error: 'first': experiment 9, expected experiments 0 to 8; leave the file out, or give another "
             "--first and --last\n");
 }
 
@@ -105,14 +94,10 @@ TEST_F(numbered, refuses_numbers_that_are_none) {
             "--first 3 --last 2", 1,
             "--first 3 with --last 2, expected a first number that is not above the last; exchange them"},
         {"--first 3", 1, "--last is missing, expected both --first and --last; add it"},
-        {"--last 3", 1, "--first is missing, expected both --first and --last; add it"},
-        {"--merge a b", 1, "--first is missing, expected both --first and --last; add it"},
         {"--first 0 --last 1000000", 1,
          "experiments 0 to 1000000, expected a part of at most 1000000; run smaller parts and merge them"},
         {"--first -1 --last 2", 2,
          "--first: -1, expected a whole number of at most 18 digits; --help lists the options"},
-        {"--first 1e3 --last 2", 2,
-         "--first: 1e3, expected a whole number of at most 18 digits; --help lists the options"},
         {"--first 1 --last 1000000000000000000", 2,
          "--last: 1000000000000000000, expected a whole number of at most 18 digits; --help lists the "
          "options"}}) {

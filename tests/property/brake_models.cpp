@@ -60,10 +60,9 @@ using models =
     tested_types<case_of<ph::coulomb_brake<double>>, wrong_and_slow<float>,
                  case_of<ph::stribeck_brake<double>>, case_of<ph::eddy_current_brake<double>>,
                  case_of<ph::magnetorheological_brake<double>>, without_lag<double>,
-                 late<ph::coulomb_brake<double>>, late<ph::eddy_current_brake<double>>,
+                 late<ph::eddy_current_brake<double>>,
                  case_of<ph::presliding_brake<ph::coulomb_brake<double>>>, case_of<compensated<double>>,
-                 case_of<ph::compensated_brake<ph::eddy_current_brake<double>>>, late<compensated<double>>,
-                 chosen<ph::coulomb_brake<double>>, chosen<ph::eddy_current_brake<double>>>;
+                 late<compensated<double>>, chosen<ph::eddy_current_brake<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(models, brake_model_properties, models);
 
 // ---- what the suite must find
@@ -90,11 +89,6 @@ struct driving : right {
     return {now.strength - 0.5 * std::max(before - now.strength, 0.0) - 1e-6, 0};
   }
 };
-struct driving_by_drag : right {
-  ph::brake_resistance<double> advance(double dt, double command, double rate, state& now) const noexcept {
-    return {right::advance(dt, command, rate, now).strength / 2, rate > 5 ? -1e-9 : 0.0};
-  }
-};
 struct over_its_limit : right {
   double torque_limit_at(double rate) const noexcept { return std::abs(rate) > 50 ? 0.9 : 1; }
 };
@@ -107,12 +101,6 @@ struct trusting : right {
 struct by_the_step : right {
   ph::brake_resistance<double> advance(double, double command, double, state& now) const noexcept {
     now.strength += 0.01 * (ph::valid_command(command, 1.0) - now.strength);
-    return {now.strength, 0};
-  }
-};
-struct backwards_in_time : right {
-  ph::brake_resistance<double> advance(double dt, double command, double, state& now) const noexcept {
-    now.strength = std::clamp(ph::lagged(now.strength, ph::valid_command(command, 1.0), dt, 0.02), 0.0, 1.0);
     return {now.strength, 0};
   }
 };
@@ -136,11 +124,9 @@ std::string broken_law(const B& brake) {
 TEST(brake_model_suite, finds_what_is_wrong) {
   EXPECT_EQ(broken_law(right()), "none");
   EXPECT_EQ(broken_law(driving()), "not passive");
-  EXPECT_EQ(broken_law(driving_by_drag()), "not passive");
   EXPECT_EQ(broken_law(over_its_limit()), "not bounded");
   EXPECT_EQ(broken_law(trusting()), "not passive");
   EXPECT_EQ(broken_law(by_the_step()), "not of first order");
-  EXPECT_EQ(broken_law(backwards_in_time()), "time step");
   EXPECT_EQ(broken_law(trusting_rates()), "rate");
   EXPECT_EQ(broken_law(badly_inverted()), "inverse");
 }

@@ -52,9 +52,4 @@ struct irregular_chain {
   static ph::vector<T, N> upper() { return ph::vector<T, N>::Constant(T(2)); }
 };
 
-// In the plane and in space, as many joints as dimensions and more, with sliding joints and without.
-using lengths = ::testing::Types<irregular_chain<double, 2, 2>, irregular_chain<float, 5, 2>,
-                                 irregular_chain<double, 3, 3>, irregular_chain<float, 6, 3>,
-                                 irregular_chain<double, 7, 3>>;
-
 }  // namespace chains

@@ -69,8 +69,4 @@ struct upside_down_delta {
   static ph::vector<T, 3> upper() { return ph::vector<T, 3>::Constant(T(0.3)); }
 };
 
-// Each by one scalar, and four brakes on two joints.
-using all = ::testing::Types<pantograph<double>, lopsided_five_bar<float>, desktop_delta<float>,
-                             upside_down_delta<double>, lopsided_five_bar<double, 4>>;
-
 }  // namespace closed_chains

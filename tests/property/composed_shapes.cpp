@@ -51,10 +51,6 @@ struct nested_case : around_origin<ph::complement<ph::offset<ph::moving<ph::box<
   }
 };
 
-struct torus_case : around_origin<custom::torus> {
-  static custom::torus make() { return custom::torus(1.0, 0.3); }
-};
-
 struct either_case : around_origin<ph::offset<custom::either<ph::disc, ph::rectangle>>> {
   static shape make() {
     return shape(custom::either(ph::disc({-0.7, 0}, 0.4), ph::rectangle({0.7, 0}, {0.2, 0.6})), 0.1);
@@ -101,7 +97,7 @@ auto cases_of(const std::tuple<Specimen...>&) {
 }
 using listed_cases = as_types<decltype(cases_of(experiments::specimens))>::type;
 using other_cases = ::testing::Types<short_capsule_case, turned_box_case, plate_case, tetrahedron_case,
-                                     nested_case, torus_case, either_case>;
+                                     nested_case, either_case>;
 
 INSTANTIATE_TYPED_TEST_SUITE_P(listed, shape_properties, listed_cases);
 INSTANTIATE_TYPED_TEST_SUITE_P(others, shape_properties, other_cases);

@@ -7,7 +7,6 @@
 #include <passive_haptics/control/step.hpp>
 
 #include <cmath>
-#include <cstdio>
 
 namespace {
 
@@ -58,8 +57,7 @@ ph::contacts<D, D> random_corner(const ph::point<D>& x, int walls, ph::testing::
 template <class Case>
 struct corners : ::testing::Test {};
 using devices = ::testing::Types<device_case<ph::tendon_two_link<double>>, closed_chains::level_five_bar<4>,
-                                 device_case<ph::xy_table<double>>, closed_chains::desktop_delta<double>,
-                                 chains::irregular_chain<double, 3, 2>>;
+                                 closed_chains::desktop_delta<double>, chains::irregular_chain<double, 3, 2>>;
 TYPED_TEST_SUITE(corners, devices);
 
 // At rest, or sinking within the dead bands.
@@ -77,12 +75,11 @@ ph::joint_vector<M> random_creep(const ph::pose_dynamics<M>& still, const ph::ta
 TYPED_TEST(corners, hold_what_their_brakes_can_hold_and_let_the_hand_out) {
   using M = typename TypeParam::mechanism;
   constexpr int d = M::task_dimension;
-  std::printf("seed %u\n", seed);
   ph::testing::random_source random(seed);
   const M device = TypeParam::make();
   const ph::brakes_of<M> brakes;
   int pulls = 0;
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 150; ++k) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ", trial " << k);
     const ph::joint_vector<M> q = random.between<double, M::dof>(TypeParam::lower(), TypeParam::upper());
     const ph::mechanism_pose<M> pose(device, q);
@@ -117,7 +114,7 @@ TYPED_TEST(corners, hold_what_their_brakes_can_hold_and_let_the_hand_out) {
     ASSERT_FALSE(leaves && can_hold<M>(still, pull, back)) << back.transpose();
     pulls += leaves;
   }
-  EXPECT_GT(pulls, 100);
+  EXPECT_GT(pulls, 30);
 }
 
 }  // namespace

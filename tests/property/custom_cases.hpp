@@ -21,9 +21,3 @@ struct archetype_case : custom_case<custom::archetype> {
 struct lever_case : custom_case<custom::lever<double>> {
   static constexpr bool has_gravity = true;
 };
-
-using custom_cases =
-    ::testing::Types<archetype_case, custom_case<custom::planar_arm<double>>,
-                     custom_case<custom::spatial_arm<float>>, custom_case<custom::geared_slides<double>>,
-                     custom_case<custom::skew_table<double>>, custom_case<custom::coupled_arm<double>>,
-                     lever_case>;

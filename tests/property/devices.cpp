@@ -1,6 +1,5 @@
 #include "device_cases.hpp"
 
-#include <passive_haptics/testing/brake_model_properties.hpp>  // has a namespace detail, too
 #include <passive_haptics/testing/dynamics_properties.hpp>
 #include <passive_haptics/testing/fault_properties.hpp>
 #include <passive_haptics/testing/mechanism_properties.hpp>

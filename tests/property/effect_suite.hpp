@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 #include <type_traits>
 
@@ -46,18 +45,21 @@ ph::end_stops<double, M::dof> stops_around(const M& device, const pushing_hand<M
   return ph::end_stops<double, M::dof>(p);
 }
 
-// All effects of the library, each with as much as holds the push or slows it down to 0.1 m/s.
+// The effects of the library, each with as much as holds the push or slows it down to 0.1 m/s; in space two.
 template <class M>
-auto all_effects(const M& device, const pushing_hand<M>& h) {
+auto effects_for(const M& device, const pushing_hand<M>& h) {
   constexpr int d = M::task_dimension;
-  using ph::guide_along;
-  return std::tuple(
-      ph::detents<double, d>({.origin = h.x, .direction = h.u, .spacing = 0.02, .strength = 6}),
-      ph::guide<double, d>({.point = h.x, .direction = h.n, .stiffness = 2000}),
-      ph::guide<double, d>({.along = guide_along::plane, .point = h.x, .direction = h.u, .stiffness = 2000}),
-      stops_around(device, h), ph::rough_walls<double, d>({.coefficient = 1.5 * h.push / h.press}),
-      ph::viscous_field<double, d>(
-          {.viscosity = 10 * h.push * ph::matrix<double, d, d>(ph::matrix<double, d, d>::Identity())}));
+  const ph::guide<double, d> plane(
+      {.along = ph::guide_along::plane, .point = h.x, .direction = h.u, .stiffness = 2000});
+  const ph::rough_walls<double, d> rough({.coefficient = 1.5 * h.push / h.press});
+  if constexpr (d == 3) return std::tuple(plane, rough);
+  else
+    return std::tuple(
+        plane, rough,
+        ph::detents<double, d>({.origin = h.x, .direction = h.u, .spacing = 0.02, .strength = 6}),
+        ph::guide<double, d>({.point = h.x, .direction = h.n, .stiffness = 2000}), stops_around(device, h),
+        ph::viscous_field<double, d>(
+            {.viscosity = 10 * h.push * ph::matrix<double, d, d>(ph::matrix<double, d, d>::Identity())}));
 }
 
 struct hold_and_release {
@@ -110,9 +112,8 @@ TYPED_TEST_P(effects_without_a_sensor, hold_a_push_and_let_the_hand_back) {
   constexpr int d = M::task_dimension;
   const M device = TypeParam::make();
   const double stated = ph::max_release_time(ph::release_probe_parameters());
-  double creep = 0, back = 0, off_the_wall = 0;
   int hands = 0;
-  for (unsigned seed = 1; hands < 8; ++seed) {
+  for (unsigned seed = 1; hands < 5; ++seed) {
     ph::testing::random_source random(seed);
     const ph::joint_vector<M> q = random.between<double, M::dof>(TypeParam::lower(), TypeParam::upper());
     const ph::matrix<double, d, d> J = ph::jacobian(device, q);
@@ -132,23 +133,19 @@ TYPED_TEST_P(effects_without_a_sensor, hold_a_push_and_let_the_hand_back) {
     const auto check = [&]<class E>(const E& effect) {
       SCOPED_TRACE(::testing::Message() << "seed " << seed << ", effect " << number++);
       const double fastest = std::is_same_v<E, ph::viscous_field<double, d>> ? 110 : 1.5;
-      const auto watch = [&](const auto& scene, bool on_wall, double within, double& worst) {
+      const auto watch = [&](const auto& scene, bool on_wall, double within) {
         const auto found = hold_and_pull_back(device, h, scene, on_wall);
         if (!(ph::JointEffect<E> && on_wall)) {  // the way off the wall may be one into the stop
           EXPECT_GE(found.back, 0) << "locked";
           EXPECT_LE(found.back, within);
-          worst = std::max(worst, found.back);
         }
         EXPECT_LE(found.creep, fastest);
-        if (fastest < 2) creep = std::max(creep, found.creep);
       };
-      if constexpr (!OnWallsOnly<E>) watch(ph::with_effects(ph::no_walls<d>(), effect), false, stated, back);
-      watch(ph::with_effects(wall, effect), true, stated + 0.1, off_the_wall);
+      if constexpr (!OnWallsOnly<E>) watch(ph::with_effects(ph::no_walls<d>(), effect), false, stated);
+      watch(ph::with_effects(wall, effect), true, stated + 0.1);
     };
-    std::apply([&](const auto&... each) { (check(each), ...); }, all_effects(device, h));
+    std::apply([&](const auto&... each) { (check(each), ...); }, effects_for(device, h));
   }
-  std::printf("held with %.2f mm/s, back within %.3f s (stated %.3f), off the wall within %.3f s\n", creep,
-              back, stated, off_the_wall);
 }
 
 REGISTER_TYPED_TEST_SUITE_P(effects_without_a_sensor, hold_a_push_and_let_the_hand_back);

@@ -1,5 +1,3 @@
-#include "../tested_types.hpp"
-
 #include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/shape_properties.hpp>
@@ -38,5 +36,5 @@ struct kinked : in_a_box<strip> {
 
 }  // namespace
 
-using shapes = tested_types<plane, hollow_disc, kinked>;
+using shapes = ::testing::Types<plane, hollow_disc, kinked>;
 INSTANTIATE_TYPED_TEST_SUITE_P(scene, shape_properties, shapes);

@@ -1,4 +1,4 @@
-// slow
+// slow, no sanitizers
 // Following a mesh and asking it for distances allocates nothing.
 #include "allocations.hpp"
 
@@ -27,9 +27,9 @@ void follow_a_star() {
   typename ph::mesh_surface<D>::tracker memory;
   ph::point<D> from = 2 * ph::point<D>::UnitX(), x = from;
   int touched = 0, free = 0, several = 0;
-  for (int k = 0; k < 5000; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     x = 0.99 * (x + random.positive(1e-6, 0.3) * random.direction<double, D>());
-    if (k % 100 == 99) x[0] = std::numeric_limits<double>::quiet_NaN();
+    if (k % 50 == 49) x[0] = std::numeric_limits<double>::quiet_NaN();
     int felt = 0;
     double distance = 0;
     ASSERT_EQ(allocations_in([&] {
@@ -44,9 +44,9 @@ void follow_a_star() {
     several += felt > 1;
     free += felt == 0;
   }
-  EXPECT_GT(touched, 500);
-  EXPECT_GT(several, 50);
-  EXPECT_GT(free, 200);
+  EXPECT_GT(touched, 100);
+  EXPECT_GT(several, 10);
+  EXPECT_GT(free, 40);
 }
 
 TEST(no_allocation, in_a_polyline) { follow_a_star<2>(); }
@@ -64,7 +64,7 @@ TEST(no_allocation, in_a_world_of_meshes_and_its_copies) {
   ph::world<3> copy = first, taking_over = first;
   ph::point<3> x = 2 * ph::point<3>::UnitX();
   int touched = 0;
-  for (int k = 0; k < 5000; ++k) {
+  for (int k = 0; k < 300; ++k) {
     x = 0.99 * (x + random.positive(1e-6, 0.3) * random.direction<double, 3>());
     ASSERT_EQ(allocations_in([&] {
                 for (ph::world<3>* world : {&first, &copy, &taking_over}) {
@@ -76,7 +76,7 @@ TEST(no_allocation, in_a_world_of_meshes_and_its_copies) {
               0)
         << "cycle " << k;
   }
-  EXPECT_GT(touched, 500);
+  EXPECT_GT(touched, 50);
 }
 
 TEST(no_allocation, in_a_copy_of_a_mesh) {

@@ -1,4 +1,4 @@
-// slow
+// slow, no sanitizers
 // A control loop against a thread that owns its scene: every snapshot is whole, the loop allocates nothing
 // and never waits. Built with ThreadSanitizer, where the compiler has it.
 #include "allocations.hpp"

@@ -1,14 +1,11 @@
 // docs/architecture.md lists every header of the path, each at one place, and every folder of include/.
-#include "headers.hpp"
+#include "texts.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
-#include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 
 namespace {
@@ -18,78 +15,63 @@ using namespace repository;
 // "1. [`control/cycle.hpp`](...)" and, in lines that begin with "- `control/`: ", `name` for
 // control/name.hpp.
 std::multiset<std::string> path_in(const std::string& page) {
-  static const std::regex item(R"(^\d+\. \[`([^`]+)`\].*)"), rest(R"(^- `(\w+/)`: (.*))"), name(R"(`(\w+)`)");
   std::multiset<std::string> all;
-  std::istringstream in(page);
-  std::smatch match;
-  for (std::string line; std::getline(in, line);) {
-    if (std::regex_match(line, match, item)) all.insert(match[1]);
-    if (!std::regex_match(line, match, rest)) continue;
-    const std::string layer = match[1], names = match[2];
-    for (std::sregex_iterator i(names.begin(), names.end(), name), end; i != end; ++i)
-      all.insert(layer + i->str(1) + ".hpp");
-  }
+  for (const auto& item : matches("^[0-9]+\\. \\[`([^`]+)`\\]", page)) all.insert(item[1]);
+  for (const auto& rest : matches("^- `([a-z]+/)`: (.*)$", page))
+    for (const auto& name : matches("`([a-z0-9_]+)`", rest[2])) all.insert(rest[1] + name[1] + ".hpp");
   return all;
 }
 
 // "control/    ..." and below it "  laws/    ...".
 std::set<std::string> folders_in(const std::string& page) {
-  static const std::regex folder(R"(^(  )?(\w+(?:/\w+)?)/ .*)");
   std::set<std::string> all;
-  std::istringstream in(page);
-  std::smatch match;
   std::string layer;
-  for (std::string line; std::getline(in, line);) {
-    if (!std::regex_match(line, match, folder)) continue;
-    if (!match[1].matched) layer = match[2];
-    all.insert(match[1].matched ? layer + "/" + match[2].str() : layer);
+  for (const auto& folder : matches("^(  )?([a-z_]+(/[a-z_]+)?)/ ", page)) {
+    if (folder[1].empty()) layer = folder[2];
+    all.insert(folder[1].empty() ? layer : layer + "/" + folder[2]);
   }
   return all;
 }
 
-// What the page lacks, lists twice, or lists as of the path though it is in a subdirectory.
-errors check_path(const std::string& page, const texts& headers, const std::set<std::string>& rooms_files) {
-  std::multiset<std::string> path(rooms_files.begin(), rooms_files.end());
-  for (const auto& [header, text] : headers) {
-    if (path_stages.contains(folder_of(header))) path.insert(header);
-  }
-  const std::multiset<std::string> listed = path_in(page);
+template <class Set>
+errors differences(const Set& found, const Set& listed) {
   errors all;
-  std::set_symmetric_difference(path.begin(), path.end(), listed.begin(), listed.end(),
+  std::set_symmetric_difference(found.begin(), found.end(), listed.begin(), listed.end(),
                                 std::back_inserter(all));
   return all;
+}
+
+// What the page lacks, lists twice, or lists as of the path though it is in a subdirectory.
+errors check_listed_path(const std::string& page, const texts& headers, std::multiset<std::string> path) {
+  for (const auto& [header, text] : headers)
+    if (is_of_the_path(header)) path.insert(header);
+  return differences(path, path_in(page));
 }
 
 errors check_folders(const std::string& page, const texts& headers) {
   std::set<std::string> folders;
   for (const auto& [header, text] : headers) folders.insert(folder_of(header));
   folders.erase("");
-  const std::set<std::string> listed = folders_in(page);
-  errors all;
-  std::set_symmetric_difference(folders.begin(), folders.end(), listed.begin(), listed.end(),
-                                std::back_inserter(all));
-  return all;
-}
-
-// Read with the path, though they are in subdirectories.
-const std::set<std::string> read_with_the_path{
-    "control/pipelines/one_wall.hpp", "mechanism/models/two_link.hpp", "mechanism/models/tendon_two_link.hpp",
-    "scene/shapes/half_space.hpp"};
-
-std::string architecture() {
-  return read(std::filesystem::path(PASSIVE_HAPTICS_SOURCE_DIR) / "docs" / "architecture.md");
+  return differences(folders, folders_in(page));
 }
 
 TEST(architecture, lists_the_path) {
-  EXPECT_EQ(check_path(architecture(), headers(), read_with_the_path), errors());
+  EXPECT_EQ(check_listed_path(read(root / "docs/architecture.md"), headers(),
+                              // read with the path, though they are in subdirectories
+                              {"control/pipelines/one_wall.hpp", "mechanism/models/two_link.hpp",
+                               "mechanism/models/tendon_two_link.hpp", "scene/shapes/half_space.hpp"}),
+            errors());
 }
-TEST(architecture, lists_every_folder) { EXPECT_EQ(check_folders(architecture(), headers()), errors()); }
 
-// ---- the checks themselves
+TEST(architecture, lists_every_folder) {
+  EXPECT_EQ(check_folders(read(root / "docs/architecture.md"), headers()), errors());
+}
 
 TEST(architecture_check, notices_what_is_missing_or_too_much) {
   const texts some{{"core/a.hpp", ""}, {"core/b.hpp", ""}, {"core/linear/c.hpp", ""}, {"plant/d.hpp", ""}};
-  const auto check = [&](const std::string& page) { return check_path(page, some, {"core/linear/c.hpp"}); };
+  const auto check = [&](const std::string& page) {
+    return check_listed_path(page, some, {"core/linear/c.hpp"});
+  };
   const std::string good =
       "1. [`core/a.hpp`](x): a\n12. [`core/linear/c.hpp`](x): c\n- `core/`: `b` (of `core`)\n";
   EXPECT_EQ(check(good), errors{"core/core.hpp"});

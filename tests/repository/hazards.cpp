@@ -1,4 +1,6 @@
 // docs/guide/driver.md has the table of hazards as it is in the code, and a test of each.
+#include "texts.hpp"
+
 #include <passive_haptics/bench/bench_run.hpp>
 #include <passive_haptics/driver/hazards.hpp>
 
@@ -7,24 +9,16 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <string_view>
 
 namespace {
 
-namespace fs = std::filesystem;
 namespace ph = passive_haptics;
-
-const fs::path root = PASSIVE_HAPTICS_SOURCE_DIR;
-
-std::string contents(const fs::path& path) {
-  std::stringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
+using namespace repository;
 
 // The test of each hazard, in their order: SUITE.NAME, and its file in tests/driver.
 struct test_of_a_hazard {
@@ -33,7 +27,7 @@ struct test_of_a_hazard {
 constexpr test_of_a_hazard fault{"a_fault", "releases_the_brakes_in_time_and_says_why", "safe_port.cpp"};
 constexpr test_of_a_hazard quarter{
     "rejected_samples", "release_the_brakes_if_they_are_a_quarter_of_those_that_arrived", "safe_port.cpp"};
-constexpr std::array tests{
+constexpr std::array tests_of_hazards{
     fault,
     fault,
     fault,
@@ -84,13 +78,13 @@ std::string milliseconds(double seconds) {
   return text.str();
 }
 
-std::string table() {
+std::string table_of_hazards() {
   std::string all =
       "| Hazard | Noticed by | 0 A after [ms] | Afterwards | Test |\n| --- | --- | --- | --- | --- |\n";
   const auto hazards = ph::hazards();
-  for (std::size_t i = 0; i < hazards.size() && i < tests.size(); ++i) {
+  for (std::size_t i = 0; i < hazards.size() && i < tests_of_hazards.size(); ++i) {
     const auto& [what, found_by, longest, after] = hazards[i];
-    const auto& [suite, name, file] = tests[i];
+    const auto& [suite, name, file] = tests_of_hazards[i];
     const auto cell = [&](const auto& text) { all.append("| ").append(text).append(" "); };
     cell(what), cell(found_by), cell(milliseconds(longest)), cell(after);
     cell(std::string("[`").append(suite).append("`](../../tests/driver/").append(file).append(")"));
@@ -105,9 +99,9 @@ TEST(hazards, of_a_bench_are_those_of_its_parameters) {
 }
 
 TEST(hazards, have_a_test_each) {
-  ASSERT_EQ(ph::hazards().size(), tests.size());
-  for (const auto& [suite, name, file] : tests) {
-    const std::string text = contents(root / "tests/driver" / file);
+  ASSERT_EQ(ph::hazards().size(), tests_of_hazards.size());
+  for (const auto& [suite, name, file] : tests_of_hazards) {
+    const std::string text = read(root / "tests/driver" / file);
     const std::string test = std::string("(").append(suite).append(", ").append(name).append(")");
     EXPECT_NE(text.find(test), std::string::npos) << "tests/driver/" << file << " has no test " << test;
   }
@@ -115,12 +109,12 @@ TEST(hazards, have_a_test_each) {
 
 TEST(hazards, stand_in_the_guide_as_they_are_in_the_code) {
   const fs::path path = root / "docs/guide/driver.md";
-  const std::string now = contents(path), begin = "<!-- hazards -->\n", end = "<!-- end of hazards -->\n";
+  const std::string now = read(path), begin = "<!-- hazards -->\n", end = "<!-- end of hazards -->\n";
   const auto from = now.find(begin), to = now.find(end);
   ASSERT_TRUE(from != std::string::npos && to != std::string::npos);
-  const std::string right = now.substr(0, from + begin.size()) + table() + now.substr(to);
+  const std::string right = now.substr(0, from + begin.size()) + table_of_hazards() + now.substr(to);
   if (std::getenv("PASSIVE_HAPTICS_WRITE_PAGES") != nullptr) std::ofstream(path) << right;
-  else EXPECT_TRUE(now == right) << path << " is out of date, expected:\n" << table();
+  else EXPECT_TRUE(now == right) << path << " is out of date, expected:\n" << table_of_hazards();
 }
 
 // With the times of other parameters, and under each policy.

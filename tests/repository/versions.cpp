@@ -1,11 +1,10 @@
 // What names a version names the one of the headers.
-#include "headers.hpp"
+#include "texts.hpp"
 
 #include <passive_haptics/core/version.hpp>
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -18,9 +17,9 @@ TEST(versions, are_those_of_the_headers) {
   const std::pair<const char*, std::string> places[] = {
       {"CITATION.cff", "\nversion: " + version + "\n"},
       {"CHANGELOG.md", "\n## [" + version + "]\nThe git tag `v" + version + "`.\n"}};
-  const std::filesystem::path root = PASSIVE_HAPTICS_SOURCE_DIR;
   for (const auto& [file, text] : places)
-    EXPECT_NE(repository::read(root / file).find(text), std::string::npos) << file << " lacks " << text;
+    EXPECT_NE(repository::read(repository::root / file).find(text), std::string::npos)
+        << file << " lacks " << text;
 }
 
 }  // namespace

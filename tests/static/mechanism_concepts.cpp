@@ -34,7 +34,8 @@ static_assert(fits<custom::geared_slides<float>> && fits<custom::skew_table<doub
 static_assert(fits<custom::lever<double>> && ph::Dynamics<custom::lever<float>>);
 static_assert(fits<const custom::planar_arm<double>>);
 
-// ---- what does not: near misses, each derived from this complete one
+// ---- what does not: near misses beside those of tests/compile_fail/mechanism.cpp, each derived from this
+// complete one
 
 struct complete {
   using scalar = double;
@@ -44,17 +45,8 @@ struct complete {
 };
 static_assert(fits<complete>);
 
-struct without_scalar {
-  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
-  V2 position(const V2&) const;
-};
 struct integer_scalar : complete {
   using scalar = int;
-};
-struct without_dof {
-  using scalar = double;
-  static constexpr int task_dimension = 2, brake_count = 2;
-  V2 position(const V2&) const;
 };
 struct without_task_dimension {
   using scalar = double;
@@ -80,9 +72,8 @@ struct too_few_joints : complete {
 struct redundant_brakes : complete {
   static constexpr int brake_count = 4;
 };
-static_assert(!ph::Mechanism<without_scalar> && !ph::Mechanism<integer_scalar> &&
-              !ph::Mechanism<without_dof>);
-static_assert(!ph::Mechanism<without_task_dimension> && !ph::Mechanism<without_brakes>);
+static_assert(!ph::Mechanism<integer_scalar> && !ph::Mechanism<without_task_dimension> &&
+              !ph::Mechanism<without_brakes>);
 static_assert(!ph::Mechanism<without_joints> && !ph::Mechanism<dof_known_at_run_time>);
 static_assert(!ph::Mechanism<too_few_joints> && !ph::Mechanism<redundant_brakes>);
 
@@ -99,16 +90,9 @@ struct position_of_wrong_size : without_position {
 struct position_in_float : without_position {
   ph::vector<float, 2> position(const V2&) const;
 };
-struct position_as_expression : without_position {
-  auto position(const V2& q) const { return 2 * q; }  // would refer to a dead q
-};
-struct position_takes_more : without_position {
-  V2 position(const V2&, double) const;
-};
 static_assert(!ph::Mechanism<without_position> && !ph::Mechanism<position_not_const> &&
               !ph::Mechanism<position_of_wrong_size>);
-static_assert(!ph::Mechanism<position_in_float> && !ph::Mechanism<position_as_expression> &&
-              !ph::Mechanism<position_takes_more>);
+static_assert(!ph::Mechanism<position_in_float>);
 
 struct only_a_position : without_position {
   V2 position(const V2& q) const;
@@ -116,9 +100,6 @@ struct only_a_position : without_position {
 static_assert(ph::Mechanism<only_a_position> && !ph::DifferentiableMechanism<only_a_position>);
 
 // A member called jacobian that does not fit is a mistake, not a mechanism without one.
-struct jacobian_of_wrong_shape : only_a_position {
-  ph::matrix<double, 2, 3> jacobian(const V2&) const;
-};
 struct jacobian_transposed : custom::sizes<double, 3, 2> {
   V2 position(const ph::vector<double, 3>&) const;
   ph::matrix<double, 3, 2> jacobian(const ph::vector<double, 3>&) const;
@@ -126,32 +107,17 @@ struct jacobian_transposed : custom::sizes<double, 3, 2> {
 struct jacobian_not_const : only_a_position {
   M2 jacobian(const V2&);
 };
-struct jacobian_in_float : only_a_position {
-  ph::matrix<float, 2, 2> jacobian(const V2&) const;
-};
-struct jacobian_of_type_void : only_a_position {
-  void jacobian(const V2&) const;
-};
 struct jacobian_diagonal_but_wide : custom::sizes<double, 3, 2> {
   V2 position(const ph::vector<double, 3>&) const;
   ph::diagonal_matrix<double, 3> jacobian() const;
 };
-static_assert(!ph::Mechanism<jacobian_of_wrong_shape> && !ph::Mechanism<jacobian_transposed> &&
-              !ph::Mechanism<jacobian_not_const>);
-static_assert(!ph::Mechanism<jacobian_in_float> && !ph::Mechanism<jacobian_of_type_void> &&
+static_assert(!ph::Mechanism<jacobian_transposed> && !ph::Mechanism<jacobian_not_const> &&
               !ph::Mechanism<jacobian_diagonal_but_wide>);
 
-struct transmission_of_wrong_shape : complete {
-  ph::matrix<double, 3, 2> transmission() const;
-};
 struct transmission_not_const : complete {
   M2 transmission();
 };
-struct transmission_in_float : complete {
-  ph::diagonal_matrix<float, 2> transmission(const V2&) const;
-};
-static_assert(!ph::Mechanism<transmission_of_wrong_shape> && !ph::Mechanism<transmission_not_const> &&
-              !ph::Mechanism<transmission_in_float>);
+static_assert(!ph::Mechanism<transmission_not_const>);
 
 struct mass_matrix_of_wrong_shape : ph::two_link<double> {
   ph::matrix<double, 3, 3> mass_matrix(const V2&) const;
@@ -162,12 +128,9 @@ struct bias_torque_of_wrong_size : ph::two_link<double> {
 struct bias_acceleration_without_rates : ph::two_link<double> {
   V2 bias_acceleration(const V2&) const;
 };
-struct mass_matrix_not_const : ph::two_link<double> {
-  M2 mass_matrix(const V2&);
-};
 static_assert(!ph::Dynamics<complete> && !ph::Dynamics<mass_matrix_of_wrong_shape> &&
               !ph::Dynamics<bias_torque_of_wrong_size>);
-static_assert(!ph::Dynamics<bias_acceleration_without_rates> && !ph::Dynamics<mass_matrix_not_const>);
+static_assert(!ph::Dynamics<bias_acceleration_without_rates>);
 
 static_assert(!ph::Mechanism<int> && !ph::Mechanism<void> && !ph::Mechanism<std::string> &&
               !ph::Mechanism<complete*>);

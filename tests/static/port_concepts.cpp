@@ -14,17 +14,8 @@ struct complete_port {
 };
 static_assert(ph::BrakePort<complete_port>);
 
-struct sizes_alone {
-  static constexpr int encoder_count = 1, brake_count = 2;
-};
 struct port_of_negative_size : complete_port {
   static constexpr int brake_count = -1;
-};
-struct port_that_says_nothing : complete_port {
-  void open();
-};
-struct port_whose_read_may_throw : complete_port {
-  ph::port_status read(ph::port_sample<1>&);
 };
 struct port_of_other_samples : complete_port {
   ph::port_status read(ph::port_sample<2>&) noexcept;
@@ -38,11 +29,9 @@ struct port_of_other_currents : complete_port {
 struct port_whose_release_may_throw : complete_port {
   void release();
 };
-static_assert(!ph::BrakePort<sizes_alone> && !ph::BrakePort<port_of_negative_size> &&
-              !ph::BrakePort<port_that_says_nothing> && !ph::BrakePort<int>);
-static_assert(!ph::BrakePort<port_whose_read_may_throw> && !ph::BrakePort<port_of_other_samples> &&
-              !ph::BrakePort<port_whose_write_may_throw> && !ph::BrakePort<port_of_other_currents> &&
-              !ph::BrakePort<port_whose_release_may_throw>);
+static_assert(!ph::BrakePort<port_of_negative_size> && !ph::BrakePort<int>);
+static_assert(!ph::BrakePort<port_of_other_samples> && !ph::BrakePort<port_whose_write_may_throw> &&
+              !ph::BrakePort<port_of_other_currents> && !ph::BrakePort<port_whose_release_may_throw>);
 
 struct complete_sensor {
   static constexpr int channel_count = 6;

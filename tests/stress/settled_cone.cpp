@@ -1,16 +1,12 @@
-// The cone of a self-motion that settles, against every set of brakes at rest in 50 digits and against a
-// random search over the self-motion.
+// The cone of a self-motion that settles, against every set of brakes at rest in long double.
 #include "effort.hpp"
 
 #include <passive_haptics/brake/brake_parameters.hpp>
-#include <passive_haptics/force/nearest_force.hpp>
 #include <passive_haptics/force/torques/settled_approximation.hpp>
 #include <passive_haptics/mechanism/self_motion.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <bit>
 #include <cmath>
@@ -19,8 +15,7 @@
 namespace {
 
 namespace ph = passive_haptics;
-using real =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using real = long double;
 using row = std::vector<real>;
 using rows = std::vector<row>;
 
@@ -54,8 +49,8 @@ bool solve(rows A, rows& B) {
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t pivot = k;
     for (std::size_t i = k + 1; i < n; ++i)
-      if (abs(A[i][k]) > abs(A[pivot][k])) pivot = i;
-    if (abs(A[pivot][k]) < real(1e-20)) return false;
+      if (std::abs(A[i][k]) > std::abs(A[pivot][k])) pivot = i;
+    if (std::abs(A[pivot][k]) < real(1e-15)) return false;
     std::swap(A[k], A[pivot]);
     std::swap(B[k], B[pivot]);
     for (std::size_t i = 0; i < n; ++i) {
@@ -95,7 +90,7 @@ real nearest_cosine(const rows& generators, const row& n) {
       inside = inside && along[i][0] >= 0;
       square += along[i][0] * wanted[i][0];
     }
-    if (inside && square > best * best) best = sqrt(square);
+    if (inside && square > best * best) best = std::sqrt(square);
   }
   return best;
 }
@@ -131,7 +126,7 @@ real max_cosine(const M& arm, const ph::task_vector<M>& v, const ph::task_vector
         for (int j = 0; j < D; ++j)
           W[std::size_t(j)] += real(arm.T(i, k)) * inverse[std::size_t(k)][std::size_t(j)];
       const bool turns_forward = dot(W, row(v.begin(), v.end())) > 0;
-      for (real& x : W) x = turns_forward ? real(-x) : x;
+      for (real& x : W) x = turns_forward ? -x : x;
       generators.push_back(W);
     }
     const real cosine = nearest_cosine(generators, wanted);
@@ -140,42 +135,14 @@ real max_cosine(const M& arm, const ph::task_vector<M>& v, const ph::task_vector
   return best;
 }
 
-// The best that a random search over the self-motion finds: J qd = v, signs of T qd, and of the forces that
-// these allow and that leave joints without a brake alone the nearest.
-template <class M>
-double searched_cosine(const M& arm, const ph::task_vector<M>& v, const ph::task_vector<M>& n,
-                       ph::testing::random_source& random, int tries) {
-  constexpr int N = M::dof, D = M::task_dimension, m = M::brake_count;
-  const ph::orthogonal_decomposition<double, D, N> J(arm.J, 1e-14);
-  const ph::joint_vector<M> least = J.solve(v);
-  const ph::brake_matrix<M> E(ph::brake_jacobian(arm, ph::joint_vector<M>::Zero()));
-  ph::matrix<double, D, D> balanced = ph::matrix<double, D, D>::Identity();
-  if constexpr (m < N) {
-    const ph::orthogonal_decomposition<double, m, N> T(arm.T, 1e-14);
-    const ph::matrix<double, D, N> moved = arm.J * T.null_space();
-    balanced = ph::orthogonal_decomposition<double, D, N>(moved, 1e-12).left_null_projection();
-  }
-  const ph::brake_matrix<M> inside = balanced * E;
-  double best = 0;
-  for (int k = 0; k < tries; ++k) {
-    const ph::joint_vector<M> z = random.positive(0.01, 100.0) * random.normal_vector<double, N>();
-    const ph::brake_vector<M> w = arm.T * (least + J.without_row_space(z));
-    const ph::brake_vector<M> s = w.unaryExpr([](double x) { return x > 0 ? 1.0 : -1.0; });
-    const auto Fp = ph::nearest_force(inside, s, ph::task_vector<M>(balanced * n)).force;
-    best = std::max(best, Fp.norm());
-  }
-  return best;
-}
-
 template <class M>
 class settled_cone : public ::testing::Test {};
-using arms = ::testing::Types<linear_arm<3, 2, 3>, linear_arm<3, 2, 2>, linear_arm<4, 2, 4>,
-                              linear_arm<4, 2, 3>, linear_arm<4, 3, 4>, linear_arm<7, 3, 7>>;
+using arms = ::testing::Types<linear_arm<3, 2, 3>, linear_arm<4, 2, 3>, linear_arm<5, 3, 5>>;
 TYPED_TEST_SUITE(settled_cone, arms);
 
 TYPED_TEST(settled_cone, is_the_best_of_all_sets_of_brakes_at_rest) {
   using M = TypeParam;
-  const std::uint64_t states = stress::effort(M::dof > 4 ? 1000 : 3000, 10000);
+  const std::uint64_t states = stress::effort(1000, 10000);
   ph::testing::random_source random(stress::first_seed());
   std::uint64_t exact = 0, none = 0;
   double worst = 0;
@@ -195,7 +162,6 @@ TYPED_TEST(settled_cone, is_the_best_of_all_sets_of_brakes_at_rest) {
     ASSERT_NEAR(cosine, expected, 1e-9) << "state " << k;
     worst = std::max(worst, std::abs(cosine - expected));
     ASSERT_EQ(F.display == ph::display_class::exact, expected > 1 - 1e-13) << "state " << k;
-    ASSERT_LE(searched_cosine(arm, v, n, random, M::dof > 4 ? 30 : 100), expected + 1e-9) << "state " << k;
     // Promises: the signs, no power from the velocity that gave them, T^T t = J^T F, F . n = 1
     ASSERT_TRUE((F.signs.array() * F.torque.array() <= 0).all());
     if (!ph::is_displayed(F.display)) {

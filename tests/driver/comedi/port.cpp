@@ -15,65 +15,61 @@ namespace {
 using comedi_port = at_a_card;
 
 TEST_F(comedi_port, turns_currents_into_volts_into_samples) {
-  port card(p);
-  ASSERT_EQ(card.open(), "");
-  ASSERT_EQ(card.write({1, 2.5}), ph::port_status::ok);  // 2 V and 5 V of -10 to 10 V
+  ASSERT_NO_FATAL_FAILURE(open_card());
+  ASSERT_EQ(card->write({1, 2.5}), ph::port_status::ok);  // 2 V and 5 V of -10 to 10 V
   EXPECT_EQ(output(0), 39321u);
   EXPECT_EQ(output(1), 49151u);
-  ASSERT_EQ(card.write({4.99999, 0}), ph::port_status::ok);
+  ASSERT_EQ(card->write({4.99999, 0}), ph::port_status::ok);
   EXPECT_EQ(output(0), 65535u);
   EXPECT_EQ(output(1), zero);
   EXPECT_EQ(plugged.lists, 3) << "one system call for both brakes";
 
   comedi_range range{-10, 10, UNIT_volt};
   for (double current = 0; current < 5; current += 0.00137) {
-    ASSERT_EQ(card.write({current, 0}), ph::port_status::ok);
+    ASSERT_EQ(card->write({current, 0}), ph::port_status::ok);
     ASSERT_EQ(output(0), comedi_from_phys(current / 0.5, &range, 0xffff)) << current;
   }
 }
 
 TEST_F(comedi_port, never_leaves_the_range_and_takes_what_is_no_number_for_0_A) {
   p.brakes[1].range = 1;
-  port card(p);
-  ASSERT_EQ(card.open(), "");
+  ASSERT_NO_FATAL_FAILURE(open_card());
   EXPECT_EQ(output(1), 0u) << "0 V of 0 to 5 V";
   const double infinity = std::numeric_limits<double>::infinity();
-  ASSERT_EQ(card.write({100, infinity}), ph::port_status::ok);
+  ASSERT_EQ(card->write({100, infinity}), ph::port_status::ok);
   EXPECT_EQ(output(0), 65535u);
   EXPECT_EQ(output(1), 65535u);
-  ASSERT_EQ(card.write({std::numeric_limits<double>::quiet_NaN(), -1}), ph::port_status::ok);
+  ASSERT_EQ(card->write({std::numeric_limits<double>::quiet_NaN(), -1}), ph::port_status::ok);
   EXPECT_EQ(output(0), zero);
   EXPECT_EQ(output(1), 0u);
 }
 
 TEST_F(comedi_port, reads_all_counters_as_one_sample) {
-  port card(p);
-  ASSERT_EQ(card.open(), "");
+  ASSERT_NO_FATAL_FAILURE(open_card());
   plugged.subdevices[2].value[0] = 123;
   plugged.subdevices[3].value[0] = 0xffffff;
   const double before = ph::monotonic_seconds();
-  ASSERT_EQ(card.read(sample), ph::port_status::ok);
+  ASSERT_EQ(card->read(sample), ph::port_status::ok);
   EXPECT_EQ(sample.value[0], 123);
   EXPECT_EQ(sample.value[1], 16777215);
   EXPECT_TRUE(sample.valid[0] && sample.valid[1]);
   EXPECT_GE(sample.time, before);
   EXPECT_LE(sample.time, ph::monotonic_seconds());
   const auto first = sample.sequence;
-  ASSERT_EQ(card.read(sample), ph::port_status::ok);
+  ASSERT_EQ(card->read(sample), ph::port_status::ok);
   EXPECT_EQ(sample.sequence, first + 1);
 }
 
 TEST_F(comedi_port, tells_the_width_of_its_counters_so_that_a_wrap_is_undone) {
-  port card(p);
-  ASSERT_EQ(card.open(), "");
-  EXPECT_EQ(card.counter_bits(), 24);
+  ASSERT_NO_FATAL_FAILURE(open_card());
+  EXPECT_EQ(card->counter_bits(), 24);
   ph::encoder_check<2> encoders({});
-  encoders.set_counter_bits(ph::counter_bits(card));
+  encoders.set_counter_bits(ph::counter_bits(*card));
   double travelled = 0;
   for (lsampl_t count = 0xffff00; travelled <= 1000; travelled += 100, count = (count + 100) & 0xffffff) {
     plugged.subdevices[2].value[0] = count;                    // up, over the end
     plugged.subdevices[3].value[0] = (0u - count) & 0xffffff;  // down
-    ASSERT_EQ(card.read(sample), ph::port_status::ok);
+    ASSERT_EQ(card->read(sample), ph::port_status::ok);
     sample.time = 1e-3 * travelled;
     ASSERT_EQ(encoders(sample, false), ph::fault_record());
     EXPECT_EQ(encoders.position()[0], 0xffff00 + travelled);
@@ -82,49 +78,46 @@ TEST_F(comedi_port, tells_the_width_of_its_counters_so_that_a_wrap_is_undone) {
 }
 
 TEST_F(comedi_port, that_is_busy_may_be_read_again_and_one_that_is_gone_may_not) {
-  port card(p);
-  ASSERT_EQ(card.open(), "");
+  ASSERT_NO_FATAL_FAILURE(open_card());
   for (const int error : {EBUSY, EAGAIN, EINTR, ETIMEDOUT}) {
     plugged.transfer_error = error;
-    EXPECT_EQ(card.read(sample), ph::port_status::no_sample) << comedi_strerror(error);
+    EXPECT_EQ(card->read(sample), ph::port_status::no_sample) << comedi_strerror(error);
   }
   for (const int error : {ENODEV, EIO, EACCES, EINVAL, EBADF}) {
     plugged.transfer_error = error;
-    EXPECT_EQ(card.read(sample), ph::port_status::failed) << comedi_strerror(error);
+    EXPECT_EQ(card->read(sample), ph::port_status::failed) << comedi_strerror(error);
   }
   plugged.transfer_error = 0;
   plugged.served = 1;
-  EXPECT_EQ(card.read(sample), ph::port_status::failed) << "one counter of two";
+  EXPECT_EQ(card->read(sample), ph::port_status::failed) << "one counter of two";
 }
 
 TEST_F(comedi_port, whose_write_is_short_or_refused_has_failed_and_can_still_be_released) {
-  port card(p);
-  ASSERT_EQ(card.open(), "");
-  ASSERT_EQ(card.write({2, 2}), ph::port_status::ok);
+  ASSERT_NO_FATAL_FAILURE(open_card());
+  ASSERT_EQ(card->write({2, 2}), ph::port_status::ok);
   plugged.served = 1;
-  EXPECT_EQ(card.write({1, 1}), ph::port_status::failed);
+  EXPECT_EQ(card->write({1, 1}), ph::port_status::failed);
   EXPECT_NE(output(0), output(1)) << "one brake has its new current, the other its old one";
-  card.release();
+  card->release();
   expect_released();
   plugged.served = -1;
   for (const int error : {ENODEV, EIO, EBUSY, EINTR}) {
     plugged.transfer_error = 0;
-    ASSERT_EQ(card.write({2, 2}), ph::port_status::ok);
+    ASSERT_EQ(card->write({2, 2}), ph::port_status::ok);
     plugged.transfer_error = error;
-    EXPECT_EQ(card.write({1, 1}), ph::port_status::failed) << comedi_strerror(error);
+    EXPECT_EQ(card->write({1, 1}), ph::port_status::failed) << comedi_strerror(error);
   }
-  card.release();  // the device is still gone
+  card->release();  // the device is still gone
   plugged.transfer_error = 0;
-  card.release();
+  card->release();
   expect_released();
 }
 
 TEST_F(comedi_port, releases_a_brake_though_the_one_before_it_does_not_answer) {
-  port card(p);
-  ASSERT_EQ(card.open(), "");
-  ASSERT_EQ(card.write({2, 2}), ph::port_status::ok);
+  ASSERT_NO_FATAL_FAILURE(open_card());
+  ASSERT_EQ(card->write({2, 2}), ph::port_status::ok);
   plugged.subdevices[1].broken[0] = true;
-  card.release();
+  card->release();
   EXPECT_NE(output(0), zero);
   EXPECT_EQ(output(1), zero);
 }
@@ -150,12 +143,10 @@ TEST_F(comedi_port, may_be_released_before_it_opens_twice_after_a_failure_and_wr
 }
 
 TEST_F(comedi_port, releases_in_its_destructor_before_it_closes) {
-  {
-    port card(p);
-    ASSERT_EQ(card.open(), "");
-    ASSERT_EQ(card.write({2, 2}), ph::port_status::ok);
-    EXPECT_EQ(plugged.handles, 1);
-  }
+  ASSERT_NO_FATAL_FAILURE(open_card());
+  ASSERT_EQ(card->write({2, 2}), ph::port_status::ok);
+  EXPECT_EQ(plugged.handles, 1);
+  card.reset();
   expect_released();
   EXPECT_EQ(plugged.handles, 0);
 }
@@ -174,12 +165,11 @@ TEST_F(comedi_port, may_be_moved_and_releases_once) {
 }
 
 TEST_F(comedi_port, allocates_nothing_once_it_is_open) {
-  port card(p);
-  ASSERT_EQ(card.open(), "");
+  ASSERT_NO_FATAL_FAILURE(open_card());
   const auto cycle = [&] {
-    card.read(sample);
-    card.write({1, 2});
-    card.release();
+    card->read(sample);
+    card->write({1, 2});
+    card->release();
   };
   EXPECT_EQ(allocations_in(cycle), 0);
   plugged.transfer_error = ENODEV;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 namespace ph = passive_haptics;
@@ -38,6 +39,13 @@ struct at_a_card : ::testing::Test {
     EXPECT_EQ(output(1), zero);
   }
 
+  // The port, opened
+  void open_card() {
+    card.emplace(p);
+    ASSERT_EQ(card->open(), "");
+  }
+
+  std::optional<port> card;
   port::parameters p = parameters();
   ph::port_sample<2> sample;
 };

@@ -6,18 +6,19 @@ namespace {
 
 using namespace program;
 
-struct a_board : a_driver {
+struct a_board : a_driver_at_a_terminal {
   pid_t board = -1;
-
-  void SetUp() override {
-    if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminal: is devpts mounted at /dev/pts?";
-  }
 
   // Its watchdog has time, as this machine may have none, and the 1000 samples that may be missing last for 4
   // s: of a pseudo-terminal the kernel may make the port's thread wait.
   void plug_in() {
     board = spawn({firmware, "--link", "brakes", "--watchdog", "20000", "--period", "10000"}, "firmware");
     ASSERT_TRUE(eventually([this] { return fs::is_symlink(directory / "brakes"); }));
+  }
+  void drive(const settings& s) {
+    plug_in();
+    start(s);
+    ASSERT_TRUE(reaches("active")) << ended();
   }
   static settings connected(double hold_over = 5) {
     return {.hold_over = hold_over,
@@ -28,12 +29,9 @@ struct a_board : a_driver {
 };
 
 TEST_F(a_board, is_driven) {
-  plug_in();
-  start(connected());
-  ASSERT_TRUE(reaches("active")) << ended();
+  ASSERT_NO_FATAL_FAILURE(drive(connected()));
   ASSERT_TRUE(eventually([this] { return time_written() > 1.5; }));
-  send(SIGINT);
-  const outcome o = end();
+  const outcome o = interrupt();
   EXPECT_EQ(o.status, 0) << o.out << o.err;
   EXPECT_TRUE(log().is_whole());
   double least = 1e9, most = -1e9;
@@ -46,13 +44,10 @@ TEST_F(a_board, is_driven) {
 }
 
 TEST_F(a_board, that_is_gone_releases_at_once) {
-  plug_in();
-  start(connected());
-  ASSERT_TRUE(reaches("active")) << ended();
+  ASSERT_NO_FATAL_FAILURE(drive(connected()));
   send(SIGKILL, board);
   ASSERT_TRUE(reaches("released")) << ended();
-  send(SIGINT);
-  const outcome o = end();
+  const outcome o = interrupt();
   EXPECT_EQ(o.status, 3);
   EXPECT_TRUE(has(o.out, "device lost")) << o.out;
   EXPECT_TRUE(has(o.out, "start again, at the home pose")) << o.out;
@@ -61,30 +56,24 @@ TEST_F(a_board, that_is_gone_releases_at_once) {
 }
 
 TEST_F(a_board, that_says_nothing_any_more_releases_after_the_hold_over) {
-  plug_in();
-  start(connected(2));
-  ASSERT_TRUE(reaches("active")) << ended();
+  ASSERT_NO_FATAL_FAILURE(drive(connected(2)));
   send(SIGSTOP, board);
   ASSERT_TRUE(reaches("released")) << ended();
-  send(SIGINT);
-  const outcome o = end();
+  const outcome o = interrupt();
   EXPECT_EQ(o.status, 3);
   expect_released_at_the_end("encoders: no sample");
 }
 
 TEST_F(a_board, and_a_force_sensor_go_together_until_the_sensor_falls_silent) {
   net_ft_peer peer;
-  plug_in();
   settings both = connected(2);
   both.top = "law = \"direct_control\"";
   both.sensor =
       "type = \"net_ft\"\nhost = \"127.0.0.1\"\nopen_timeout = 20\nport = " + std::to_string(peer.port());
-  start(both);
-  ASSERT_TRUE(reaches("active")) << ended();
+  ASSERT_NO_FATAL_FAILURE(drive(both));
   peer.fall_silent();
   ASSERT_TRUE(reaches("released")) << ended();
-  send(SIGINT);
-  const outcome o = end();
+  const outcome o = interrupt();
   EXPECT_EQ(o.status, 3);
   EXPECT_TRUE(has(o.out, "brakes released: force sensor: no sample")) << o.out;
   expect_released_at_the_end("force sensor: no sample");

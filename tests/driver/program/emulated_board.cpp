@@ -136,14 +136,15 @@ class line_through_the_test {
   std::thread life_;  // last: it uses all of the above
 };
 
-struct an_emulated_board : a_driver {
+struct an_emulated_board : a_driver_at_a_terminal {
   std::unique_ptr<line_through_the_test> line;
 
   void SetUp() override {
     if (emulator.empty())
       GTEST_SKIP() << "no qemu-system-arm or no arm-none-eabi-g++; Debian's qemu-system-arm and "
                       "libstdc++-arm-none-eabi-newlib bring them";
-    if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminal: is devpts mounted at /dev/pts?";
+    a_driver_at_a_terminal::SetUp();
+    if (IsSkipped()) return;
     // Its time is ours: counted in instructions (-icount) it falls behind for good where bytes keep it busy
     words command{emulator, "-M", "mps2-an386", "-display", "none", "-nodefaults", "-kernel", image};
     for (const std::string name : {"line", "brakes"}) {
@@ -173,6 +174,8 @@ struct an_emulated_board : a_driver {
     text.replace(sensor, loop - sensor, "[sensor]\ntype = \"none\"\n\n");
     file("c.toml", text);
     start({"--config", "c.toml", "--quiet"});
+    ASSERT_TRUE(reaches("active")) << ended();
+    ASSERT_TRUE(board_holds()) << ended();
   }
 
   // Until the brakes of the board hold, after so many reports.
@@ -197,13 +200,11 @@ struct an_emulated_board : a_driver {
 };
 
 TEST_F(an_emulated_board, is_homed_and_held_at_the_wall) {
-  drive();
+  ASSERT_NO_FATAL_FAILURE(drive());
   std::size_t first = 0;
-  ASSERT_TRUE(reaches("active", 0, &first)) << ended();
-  ASSERT_TRUE(board_holds()) << ended();
+  ASSERT_TRUE(reaches("active", 0, &first));
   ASSERT_TRUE(eventually([&] { return line->reports().size() > 2000; }));
-  send(SIGINT);
-  const outcome o = end();
+  const outcome o = interrupt();
   EXPECT_EQ(o.status, 0) << o.out << o.err;
   EXPECT_TRUE(board_is_free());
   const log_file all = log();
@@ -238,9 +239,7 @@ TEST_F(an_emulated_board, is_homed_and_held_at_the_wall) {
 }
 
 TEST_F(an_emulated_board, lets_go_in_its_stated_time_when_the_host_is_killed) {
-  drive();
-  ASSERT_TRUE(reaches("active")) << ended();
-  ASSERT_TRUE(board_holds()) << ended();
+  ASSERT_NO_FATAL_FAILURE(drive());
   const pid_t guard = supervisor();
   ASSERT_GT(guard, 0);
   // Stopped first, or one would release before the other is dead
@@ -261,9 +260,7 @@ TEST_F(an_emulated_board, lets_go_in_its_stated_time_when_the_host_is_killed) {
 }
 
 TEST_F(an_emulated_board, is_released_by_the_supervisor_when_the_loop_is_killed) {
-  drive();
-  ASSERT_TRUE(reaches("active")) << ended();
-  ASSERT_TRUE(board_holds()) << ended();
+  ASSERT_NO_FATAL_FAILURE(drive());
   send(SIGKILL);
   end();
   // Its watchdog may be faster on a busy machine, but would leave it tripped for good
@@ -272,16 +269,13 @@ TEST_F(an_emulated_board, is_released_by_the_supervisor_when_the_loop_is_killed)
 }
 
 TEST_F(an_emulated_board, is_driven_through_garbage_on_the_line) {
-  drive();
-  ASSERT_TRUE(reaches("active")) << ended();
+  ASSERT_NO_FATAL_FAILURE(drive());
   line->disturb(true);
   ASSERT_TRUE(eventually([&] { return line->noise() > 20'000; }));
   ASSERT_TRUE(board_holds(line->reports().size())) << ended();
   line->disturb(false);
-  const std::size_t so_far = line->reports().size();
-  ASSERT_TRUE(board_holds(so_far)) << ended();
-  send(SIGINT);
-  const outcome o = end();
+  ASSERT_TRUE(board_holds(line->reports().size())) << ended();
+  const outcome o = interrupt();
   EXPECT_EQ(o.status, 0) << o.out << o.err;
   EXPECT_TRUE(has(o.out, " samples rejected (")) << o.out;
   EXPECT_TRUE(board_is_free());

@@ -18,54 +18,16 @@ TEST_P(a_request, releases_and_ends_with_the_last_record_written) {
   const outcome o = end();
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(has(o.out, "brakes released: as requested")) << o.out;
-  EXPECT_FALSE(fs::exists(part_path()));
-  const log_file all(log_path());
-  EXPECT_TRUE(all.is_whole());
-  EXPECT_TRUE(has(o.out, "\n" + std::to_string(all.size()) + " cycles, ")) << o.out;
-  EXPECT_TRUE(nothing_is_left());
+  expect_whole_log();
+  EXPECT_TRUE(has(o.out, "\n" + std::to_string(log().size()) + " cycles, ")) << o.out;
 }
 INSTANTIATE_TEST_SUITE_P(each, a_request, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
                          [](const auto& one) { return std::string("SIG").append(sigabbrev_np(one.param)); });
 
-class a_death : public a_driver, public ::testing::WithParamInterface<int> {};
-
-TEST_P(a_death, of_the_loop_leaves_a_whole_log_and_no_process) {
-  start(settings{});
-  ASSERT_TRUE(reaches("active")) << ended();
-  const std::size_t before = log().size();
-  send(GetParam());
-  EXPECT_EQ(end().status, 128 + GetParam());
-  EXPECT_TRUE(nothing_is_left());
-  EXPECT_FALSE(fs::exists(part_path()));
-  const log_file all(log_path());
-  EXPECT_TRUE(all.is_whole());
-  EXPECT_GE(all.size() + 1, before) << "the last line seen may have been half of one";
-}
-INSTANTIATE_TEST_SUITE_P(each, a_death, ::testing::Values(SIGKILL, SIGSEGV, SIGABRT),
-                         [](const auto& one) { return std::string("SIG").append(sigabbrev_np(one.param)); });
-
-TEST_F(a_driver_whose, loop_is_stopped_is_released_by_its_supervisor) {
-  start(settings{.supervisor_timeout = 1, .hand_start = 2});
-  ASSERT_TRUE(reaches("active")) << ended();
-  ASSERT_TRUE(brakes_hold()) << ended();
-  send(SIGSTOP);
-  usleep(3'000'000);
-  send(SIGCONT);
-  ASSERT_TRUE(reaches("released"));
-  send(SIGINT);
-  const outcome o = end();
-  EXPECT_EQ(o.status, 3);
-  const std::string reason = "the supervisor is lost, or released the brakes";
-  EXPECT_TRUE(has(o.out, "brakes released: " + reason)) << o.out;
-  expect_released_at_the_end(reason);
-}
-
 TEST_F(a_driver_whose, loop_slept_too_long_releases_by_itself) {
   start(settings{.max_sleep = 0.3});
   ASSERT_TRUE(reaches("active")) << ended();
-  send(SIGSTOP);
-  usleep(1'000'000);
-  send(SIGCONT);
+  freeze(1);
   ASSERT_TRUE(reaches("released"));
   send(SIGTERM);
   const outcome o = end();
@@ -77,15 +39,12 @@ TEST_F(a_driver_whose, loop_slept_too_long_releases_by_itself) {
 TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
   start(settings{.supervisor_timeout = 0.5});
   ASSERT_TRUE(reaches("active")) << ended();
-  send(SIGSTOP);
-  usleep(1'500'000);
-  send(SIGCONT);
+  freeze(1.5);
   std::size_t row = 0;
   ASSERT_TRUE(reaches("released", 0, &row));
   send(SIGUSR1);
   ASSERT_TRUE(reaches("active", row));
-  send(SIGINT);
-  const outcome o = end();
+  const outcome o = interrupt();
   EXPECT_EQ(o.status, 3) << "it had a fault, though it was rearmed";
   EXPECT_TRUE(has(o.out,
                   "brakes released: as requested\nreleases by a fault before: 1, first: the supervisor is "
@@ -96,29 +55,22 @@ TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
 
 // Not that something moved
 TEST_F(a_driver_whose, homing_does_not_end_says_why) {
-  settings late{.max_sleep = 0.3, .homing = 30};
-  start(late);
+  start(settings{.max_sleep = 0.3, .homing = 30});
   ASSERT_TRUE(eventually([&] { return log().size() > 10; })) << ended();
-  send(SIGSTOP);
-  usleep(1'000'000);
-  send(SIGCONT);
+  freeze(1);
   ASSERT_TRUE(reaches("released"));
-  send(SIGINT);
-  const outcome stopped = end();
+  const outcome stopped = interrupt();
   EXPECT_TRUE(has(stopped.out, "homing did not end: the brakes were released first\n")) << stopped.out;
 
   fs::remove(log_path());
-  settings gaps{.homing = 0.1};
-  std::string text = gaps.text();
+  std::string text = settings{}.text();
   text.replace(text.find("max_gap = 5"), 11, "max_gap = 1e-4");
-  file("gaps.toml", text);
-  const outcome apart = run({"--config", "gaps.toml", "--seconds", "0.5", "--quiet"});
+  const outcome apart = run(text, {"--seconds", "0.5", "--quiet"});
   EXPECT_TRUE(has(apart.out, "homing did not end: samples came more than [homing] max_gap apart"))
       << apart.out;
 
   fs::remove(log_path());
-  file("short.toml", settings{.homing = 30}.text());
-  const outcome brief = run({"--config", "short.toml", "--seconds", "0.2", "--quiet"});
+  const outcome brief = run(settings{.homing = 30}.text(), {"--seconds", "0.2", "--quiet"});
   EXPECT_TRUE(has(brief.out, "homing did not end: the program ended before it was over\n")) << brief.out;
 }
 
@@ -133,8 +85,7 @@ TEST_F(a_driver_whose, rearm_request_waited_in_a_freeze_stays_released) {
   std::size_t row = 0;
   ASSERT_TRUE(reaches("released", 0, &row));
   ASSERT_TRUE(eventually([&] { return log().size() > row + 200; }));
-  send(SIGINT);
-  EXPECT_EQ(end().status, 3);
+  EXPECT_EQ(interrupt().status, 3);
   const log_file all = log();
   for (std::size_t i = row; i < all.size(); ++i) ASSERT_EQ(all.text(i, "state"), "released");
 }
@@ -148,37 +99,12 @@ TEST_F(a_driver_whose, supervisor_is_killed_is_released_for_good) {
   ASSERT_TRUE(reaches("released", 0, &row));
   send(SIGUSR1);
   ASSERT_TRUE(eventually([&] { return log().size() > row + 500; }));
-  send(SIGINT);
-  const outcome o = end();
+  const outcome o = interrupt();
   EXPECT_EQ(o.status, 3);
   expect_released_at_the_end("the supervisor is lost, or released the brakes");
   const log_file all = log();
   for (std::size_t i = row; i < all.size(); ++i)
     ASSERT_EQ(all.text(i, "state"), "released") << "not rearmed without a supervisor";
-}
-
-TEST_F(a_driver_whose, recorder_is_killed_goes_on_and_counts_what_is_lost) {
-  start(settings{.period = 2e-4});
-  ASSERT_TRUE(reaches("active")) << ended();
-  const pid_t killed = recorder();
-  ASSERT_GT(killed, 0);
-  send(SIGKILL, killed);
-  // More than the queue holds
-  sleep(3);
-  EXPECT_EQ(children_of(pid).size(), 2u) << "supervisor and what is left of the recorder";
-  send(SIGINT);
-  const outcome o = end();
-  EXPECT_EQ(o.status, 4) << o.err;
-  EXPECT_TRUE(has(o.out, "brakes released: as requested")) << o.out;
-  EXPECT_TRUE(has(o.out, "log: brake_driver.csv.part, as far as it came: the recorder failed, ")) << o.out;
-  EXPECT_FALSE(has(o.out, " 0 cycles lost")) << o.out;
-  const auto cycles = std::stoul(o.out.substr(o.out.rfind('\n', o.out.find(" cycles, ")) + 1));
-  const auto comma = o.out.find("failed, ");
-  const auto lost = std::stoul(o.out.substr(comma + 8));
-  EXPECT_GT(cycles, 8192u) << "it went on";
-  EXPECT_LT(lost, cycles);
-  EXPECT_GE(lost + log_file(part_path()).size() + 1, cycles - 8192)
-      << "of those that were buffered none knows";
 }
 
 TEST_F(a_driver_whose, output_nobody_reads_writes_its_log_all_the_same) {
@@ -197,9 +123,7 @@ TEST_F(a_driver_whose, output_nobody_reads_writes_its_log_all_the_same) {
   EXPECT_TRUE(eventually([&] { return time_written() > closed + 2.2; })) << "past two lines of the report";
   send(SIGINT);
   status_of(pid);
-  EXPECT_TRUE(nothing_is_left());
-  EXPECT_TRUE(fs::exists(log_path()));
-  EXPECT_TRUE(log().is_whole());
+  expect_whole_log();
 }
 
 }  // namespace

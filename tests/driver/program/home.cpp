@@ -69,7 +69,7 @@ TEST_F(a_home_pose, deep_in_a_wall_is_refused_with_its_likely_cause) {
 
 TEST_F(a_home_pose, that_is_refused_opens_no_device) {
   file("c.toml", "[homing]\npose = [107.785, -74.8]");
-  for (const char* option : {"--check", "--simulate", "--limits", "--quiet"}) {
+  for (const char* option : {"--simulate", "--limits", "--quiet"}) {
     const outcome o = run({"--config", "c.toml", option});
     EXPECT_EQ(o.status, 2) << option;
     EXPECT_TRUE(has(o.err, "48.8 mm inside wall 1")) << o.err;
@@ -158,11 +158,7 @@ class placed_device {
   std::atomic<bool> ended_ = false, silent_ = false;
 };
 
-struct a_handle : a_driver {
-  void SetUp() override {
-    if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminal: is devpts mounted at /dev/pts?";
-  }
-
+struct a_handle : a_driver_at_a_terminal {
   static settings with(const net_ft_peer& sensor) {
     return {.hold_over = 2,
             .top = "law = \"no_direct_control\"",
@@ -171,10 +167,7 @@ struct a_handle : a_driver {
                       std::to_string(sensor.port())};
   }
   bool is_homed() {
-    return eventually([this] {
-      const log_file all = log();
-      return all.size() > 1 && !all.text(all.size() - 2, "q1").empty();
-    });
+    return has_row([](const log_file& all, std::size_t i) { return !all.text(i, "q1").empty(); });
   }
   bool is_deep() const {
     const log_file all = log();
@@ -182,15 +175,12 @@ struct a_handle : a_driver {
   }
   // Whether a row from this one on says that the brakes wait for the handle; then that row.
   bool waits(std::size_t from = 0, std::size_t* found = nullptr) {
-    return eventually([&] {
-      const log_file all = log();
-      for (std::size_t i = from; i + 1 < all.size(); ++i)
-        if (all.text(i, "reason").starts_with("not activated: the handle is 1")) {
-          if (found != nullptr) *found = i;
-          return all.text(i, "state") == "ready";
-        }
-      return false;
-    });
+    return has_row(
+        [](const log_file& all, std::size_t i) {
+          return all.text(i, "reason").starts_with("not activated: the handle is 1") &&
+                 all.text(i, "state") == "ready";
+        },
+        from, found);
   }
 
   // Started, homed, and pushed into the wall before the sensor is tared.
@@ -212,8 +202,7 @@ TEST_F(a_handle, deep_in_a_wall_gets_no_brakes_and_the_end_says_so) {
   ASSERT_TRUE(eventually([this] {
     return has(text_of(directory / "driver.out"), " s  ready, not activated: the handle is 1");
   }));
-  send(SIGINT);
-  const outcome o = end();
+  const outcome o = interrupt();
   EXPECT_EQ(o.status, 0) << o.out << o.err;
   EXPECT_TRUE(has(o.out, "\nnot activated: the handle is 1")) << o.out;
   EXPECT_TRUE(has(o.out, " mm inside wall 1, more than max_start_depth; move it out\n")) << o.out;
@@ -247,8 +236,7 @@ TEST_F(a_handle, gets_brakes_once_it_is_out_and_after_a_rearm_too) {
   const log_file all = log();
   for (std::size_t i = row; i < again; ++i) ASSERT_EQ(all.text(i, "state"), "ready") << i;
   EXPECT_LT(all.number(again, "y"), 0.2251);
-  send(SIGINT);
-  EXPECT_FALSE(has(end().out, "\nnot activated"));
+  EXPECT_FALSE(has(interrupt().out, "\nnot activated"));
 }
 
 }  // namespace

@@ -22,8 +22,7 @@ struct a_log : a_driver {
 
 // Nothing is at 5145.8 rad, and an offset is no force.
 TEST_F(a_log, is_empty_where_nothing_is_known_yet) {
-  file("c.toml", settings{}.text());
-  ASSERT_EQ(run({"--config=c.toml", "--seconds=1", "--quiet"}).status, 0);
+  ASSERT_EQ(run(settings{}.text(), {"--seconds=1", "--quiet"}).status, 0);
   const log_file all = log();
   std::size_t i = 0;
   const auto is_empty = [&](const char* name) { return all.text(i, name).empty(); };
@@ -50,8 +49,7 @@ TEST_F(a_log, is_empty_where_nothing_is_known_yet) {
 }
 
 TEST_F(a_log, names_its_version_and_units) {
-  file("xy.toml", "[mechanism]\ntype = \"xy_table\"\n[homing]\nduration = 0.1\n");
-  run({"--config=xy.toml", "--seconds=0.2", "--quiet"});
+  run("[mechanism]\ntype = \"xy_table\"\n[homing]\nduration = 0.1\n", {"--seconds=0.2", "--quiet"});
   std::istringstream in(text_of(log_path()));
   std::string version, units, names;
   std::getline(in, version);
@@ -67,16 +65,15 @@ TEST_F(a_log, names_its_version_and_units) {
 
 TEST_F(a_log, replays_to_the_same_decisions_to_the_last_digit) {
   for (const char* law : {"direct_control", "velocity_direct_control"}) {
-    file("c.toml", settings{.hand_start = 0.5,
-                            .top = std::string("law = \"") + law + "\"",
-                            .sections = "[mechanism]\nlength_1 = 0.151\n[brakes]\nrate_dead_band = 0.03\n"}
-                       .text());
-    ASSERT_EQ(run({"--config=c.toml", "--seconds=2", "--quiet"}).status, 0);
-    const words arguments{"--input=brake_driver.csv", std::string("--law=") + law, "--dead-band=0.03",
-                          "--output=once"};
-    words right = arguments;
-    right.push_back("--parameter=length_1=0.151");
-    const outcome o = replay(right);
+    const settings s{.hand_start = 0.5,
+                     .top = std::string("law = \"") + law + "\"",
+                     .sections = "[mechanism]\nlength_1 = 0.151\n[brakes]\nrate_dead_band = 0.03\n"};
+    ASSERT_EQ(run(s.text(), {"--seconds=2", "--quiet"}).status, 0);
+    const auto replayed_from = [&](const char* input, const char* output, const char* length = "0.151") {
+      return replay({std::string("--input=") + input, std::string("--law=") + law, "--dead-band=0.03",
+                     std::string("--output=") + output, std::string("--parameter=length_1=") + length});
+    };
+    const outcome o = replayed_from("brake_driver.csv", "once");
     ASSERT_EQ(o.status, 0) << o.err;
     const log_file logged = log(), replayed(directory / "once/replay.csv");
     ASSERT_EQ(replayed.size(), logged.size());
@@ -93,13 +90,10 @@ TEST_F(a_log, replays_to_the_same_decisions_to_the_last_digit) {
     const std::string same = std::to_string(decisions) + " of " + std::to_string(decisions);
     EXPECT_TRUE(has(o.out, "capacities as in the log, to the last digit: " + same)) << o.out;
     // Its own output is a log
-    ASSERT_EQ(replay({"--input=once/replay.csv", std::string("--law=") + law, "--dead-band=0.03",
-                      "--parameter=length_1=0.151", "--output=twice"})
-                  .status,
-              0);
+    ASSERT_EQ(replayed_from("once/replay.csv", "twice").status, 0);
     EXPECT_TRUE(text_of(directory / "twice/replay.csv") == text_of(directory / "once/replay.csv"));
     // Of another arm they differ
-    EXPECT_FALSE(has(replay(arguments).out, same));
+    EXPECT_FALSE(has(replayed_from("brake_driver.csv", "other", "0.15").out, same));
   }
 }
 

@@ -41,8 +41,8 @@ enum class fault {
   supervisor_stopped,
   recorder_killed,
   recorder_stopped,
-  loop_and_supervisor_killed,
-  loop_and_supervisor_stopped,
+  both_killed,  // loop and supervisor
+  both_stopped,
   loop_killed_beside_a_stopped_supervisor,
   full_disk,
   removed_folder,
@@ -75,7 +75,7 @@ struct one_case {
 // One case: the driver, its wire looked at each millisecond, and what is wrong.
 class bench : public a_driver {
  public:
-  explicit bench(const one_case& c) : case_(c) {}
+  explicit bench(const one_case& c) : case_(c) { log_name = "log/brake_driver.csv"; }
   void TestBody() override {}
 
   std::string row() {
@@ -129,7 +129,7 @@ class bench : public a_driver {
     constexpr double too_long = 0.05;
     for (std::size_t k = 1; k < std::min<std::size_t>(noted_, trace_.size()); ++k)
       if (trace_[k].time - trace_[k - 1].time > too_long) return true;
-    const log_file all(fs::exists(part()) ? part() : whole());
+    const log_file all = log();
     for (std::size_t k = 0; k + 1 < all.size(); ++k)
       if (all.number(k, "late") > too_long && !loop_is_stopped()) return true;
     return false;
@@ -138,8 +138,9 @@ class bench : public a_driver {
   void require(bool holds, const std::string& what) {
     if (!holds) wrong(what);
   }
-  fs::path part() const { return directory / "log/brake_driver.csv.part"; }
-  fs::path whole() const { return directory / "log/brake_driver.csv"; }
+  bool is_told(const std::string& text) const {
+    return eventually([&] { return has(text_of(directory / "driver.err"), text); });
+  }
 
   void launch() {
     const words command{driver, "--config", "c.toml"};
@@ -196,33 +197,24 @@ class bench : public a_driver {
       // A process that is stopped before it left the driver's group is one that nothing wakes
       if (children.size() < 2 || !std::all_of(children.begin(), children.end(), leads_a_group)) return false;
       if (case_.when == stage::start_up) return true;
-      if (case_.when == stage::homing) return log_file(part()).size() > 5;
+      if (case_.when == stage::homing) return log_file(part_path()).size() > 5;
       return current() > 0.5;
     });
     if (!there) {
       wrong("never got there: " + text_of(directory / "driver.err"));
       return false;
     }
-    recorder_ = child_that(true);
-    supervisor_ = child_that(false);
+    recorder_ = recorder();
+    supervisor_ = supervisor();
     if (case_.when == stage::running || case_.when == stage::stopping) usleep(200'000);  // until it stays
     level_ = current();
-    if (case_.when == stage::stopping) {
-      begun_ = monotonic_seconds();
-      send(SIGINT);
-      usleep(20'000);
-    } else {
-      begun_ = monotonic_seconds();
-    }
+    begun_ = monotonic_seconds();
+    if (case_.when != stage::stopping) return true;
+    send(SIGINT);
+    usleep(20'000);
     return true;
   }
   static bool leads_a_group(pid_t one) { return getpgid(one) == one; }
-  pid_t child_that(bool has_the_log) const {
-    for (const pid_t one : children_of(pid))
-      if (has_open(one, part().filename()) == has_the_log) return one;
-    return -1;
-  }
-
   // The fault, and its stated time until 0 A
   void happen() {
     happened_ = monotonic_seconds();
@@ -241,18 +233,15 @@ class bench : public a_driver {
           file("second.toml", "log = \"log/brake_driver.csv\"");
           const int second =
               status_of(spawn({driver, "--config", "second.toml", "--seconds", "0.1"}, "second"));
-          require(
-              second == 1 && has(text_of(directory / "second.err"), "brake_driver.csv.part': it is there"),
-              "a second run took the log");
+          const std::string message = "brake_driver.csv.part': it is there, and process " +
+                                      std::to_string(recorder_) + " writes to it; wait until that ends";
+          require(second == 1 && has(text_of(directory / "second.err"), message),
+                  "a second run took the log");
         }
         if (case_.what == fault::full_disk)
-          require(eventually(
-                      [&] { return has(text_of(directory / "driver.err"), "cycles lost: File too large"); }),
-                  "the full disk is not told as it happens");
+          require(is_told("cycles lost: File too large"), "the full disk is not told as it happens");
         if (case_.what == fault::removed_folder)
-          require(eventually([&] {
-                    return has(text_of(directory / "driver.err"), "cycles lost: its .part was removed");
-                  }),
+          require(is_told("cycles lost: its .part was removed"),
                   "the removed folder is not told as it happens");
         stated_ = longest(case_.at_release);
         break;
@@ -270,9 +259,9 @@ class bench : public a_driver {
         if (case_.at_release == policy::hold || case_.when == stage::stopping)
           stated_ = longest(case_.at_release);
         break;
-      case fault::loop_and_supervisor_killed:
-      case fault::loop_and_supervisor_stopped: {
-        const int signal = case_.what == fault::loop_and_supervisor_killed ? SIGKILL : SIGSTOP;
+      case fault::both_killed:
+      case fault::both_stopped: {
+        const int signal = case_.what == fault::both_killed ? SIGKILL : SIGSTOP;
         send(signal, supervisor_), send(signal);
         stated_ = watchdog;
         break;
@@ -289,10 +278,10 @@ class bench : public a_driver {
 
   bool loop_is_dead() const {
     return case_.what == fault::loop_killed || case_.what == fault::loop_killed_beside_a_stopped_supervisor ||
-           case_.what == fault::loop_and_supervisor_killed;
+           case_.what == fault::both_killed;
   }
   bool loop_is_stopped() const {
-    return case_.what == fault::loop_stopped || case_.what == fault::loop_and_supervisor_stopped;
+    return case_.what == fault::loop_stopped || case_.what == fault::both_stopped;
   }
   // By itself, as the fault alone ends the current
   bool ends_by_itself() const {
@@ -322,7 +311,7 @@ class bench : public a_driver {
         case_.what == fault::supervisor_stopped || case_.what == fault::supervisor_killed;
     if (of_supervisor && case_.when != stage::stopping)
       require(eventually([this] {
-                const log_file all(part());
+                const log_file all(part_path());
                 return status_now() != 0 ||
                        (all.size() > 2 && all.text(all.size() - 2, "state") == "released");
               }),
@@ -338,7 +327,7 @@ class bench : public a_driver {
     if (loop_is_stopped() && case_.when == stage::homing) usleep(static_cast<unsigned>(1.5e6 * timeout));
     if (loop_is_stopped()) {
       send(SIGCONT);
-      if (case_.what == fault::loop_and_supervisor_stopped) send(SIGCONT, supervisor_);
+      if (case_.what == fault::both_stopped) send(SIGCONT, supervisor_);
       usleep(100'000);
     }
     if (!loop_is_dead() && !asked) send(SIGINT);
@@ -349,15 +338,7 @@ class bench : public a_driver {
     require(ended == pid, "it does not end");
     if (ended != pid) return;
     status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    // What survives it ends by itself
-    const double left = monotonic_seconds() + ends_within;
-    for (;;) {
-      while (waitpid(-1, nullptr, WNOHANG) > 0) {
-      }
-      if (children_of(getpid()).empty() || monotonic_seconds() > left) break;
-      usleep(2000);
-    }
-    require(children_of(getpid()).empty(), "a process is left");
+    require(nothing_is_left(), "a process is left");
     usleep(5000);
     watching_ = false;
     watcher_.join();
@@ -386,9 +367,8 @@ class bench : public a_driver {
     const bool flowed = case_.when == stage::running || case_.when == stage::stopping;
     double before = 1e9, widest = 0;
     int returned = 0;  // to a current from 0 A
-    const bool by_policy = case_.what != fault::lost_device &&
-                           case_.what != fault::loop_and_supervisor_killed &&
-                           case_.what != fault::loop_and_supervisor_stopped;
+    const bool by_policy = case_.what != fault::lost_device && case_.what != fault::both_killed &&
+                           case_.what != fault::both_stopped;
     for (std::size_t k = 0; k < std::min<std::size_t>(noted_, trace_.size()); ++k) {
       const auto [time, current] = trace_[k];
       if (case_.when == stage::homing && current != 0) return wrong("current before it was active");
@@ -418,16 +398,16 @@ class bench : public a_driver {
     switch (case_.what) {
       case fault::loop_killed:
       case fault::loop_killed_beside_a_stopped_supervisor:
-      case fault::loop_and_supervisor_killed:
+      case fault::both_killed:
         right = {128 + SIGKILL};
         if (late && case_.at_release == policy::zero) right.insert(0);  // it had ended
         break;
       case fault::loop_stopped:
-      case fault::loop_and_supervisor_stopped:
+      case fault::both_stopped:
       case fault::supervisor_killed:
       case fault::supervisor_stopped:
         right = early ? std::set{0, 1, 3} : late ? std::set{0} : std::set{3};
-        if (late && case_.what == fault::loop_and_supervisor_stopped) right.insert(3);  // by the watchdog
+        if (late && case_.what == fault::both_stopped) right.insert(3);  // by the watchdog
         if (loop_is_stopped() && case_.when == stage::homing)
           right.insert(0);  // where the supervisor was late
         break;
@@ -445,16 +425,20 @@ class bench : public a_driver {
 
   // All that was recorded is in the file, or said to be lost
   void check_log() {
-    const bool has_part = fs::exists(part());
-    rows_ = log_file(has_part ? part() : whole()).size();
+    const bool has_part = fs::exists(part_path());
+    rows_ = log().size();
     if (status_ == 1) return;
-    require(!(has_part && fs::exists(whole())), "a file and its .part");
+    require(!(has_part && fs::exists(log_path())), "a file and its .part");
     if (status_ == 0 || status_ == 3 || loop_is_dead()) {
       require(!has_part, "a .part is left");
-      require(log_file(whole()).is_whole() || case_.when == stage::start_up, "the log is not whole");
+      require(log_file(log_path()).is_whole() || case_.when == stage::start_up, "the log is not whole");
     }
     if (status_ == 4 && case_.what != fault::removed_folder) require(has_part, "the .part was not kept");
     const std::string out = text_of(directory / "driver.out");
+    if (case_.what == fault::full_disk)
+      require(is_told("error: cannot write all of 'log/brake_driver.csv.part'") &&
+                  has(out, "log: log/brake_driver.csv.part, as far as it came"),
+              "the end does not tell of the full disk");
     const auto cycles = out.rfind(" cycles, "), lost = out.rfind(" cycles lost");
     if (cycles == std::string::npos || lost == std::string::npos) return;
     const auto number = [&](std::size_t end) {
@@ -489,7 +473,7 @@ std::vector<one_case> all_cases() {
   using enum stage;
   for (const fault what :
        {supervisor_stopped, recorder_stopped, loop_killed, loop_stopped, supervisor_killed, recorder_killed,
-        loop_and_supervisor_killed, loop_and_supervisor_stopped, loop_killed_beside_a_stopped_supervisor})
+        both_killed, both_stopped, loop_killed_beside_a_stopped_supervisor})
     add(what, {start_up, homing, running, stopping});
   add(request, {homing, running});
   for (const fault what : {full_disk, removed_folder, same_log, closed_terminal, lost_device})

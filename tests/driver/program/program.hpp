@@ -151,13 +151,6 @@ struct settings {
 };
 
 // A directory, and the driver in it.
-// Bare systems have none.
-inline bool has_pseudo_terminals() {
-  const int one = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-  if (one >= 0) close(one);
-  return one >= 0;
-}
-
 struct a_driver : ::testing::Test {
   struct outcome {
     int status = 0;
@@ -217,21 +210,40 @@ struct a_driver : ::testing::Test {
     start(arguments);
     return end();
   }
-  outcome check(const std::string& configuration) {
+  outcome run(const std::string& configuration, words options) {
     file("c.toml", configuration);
-    return run({"--config", "c.toml", "--check"});
+    options.insert(options.begin(), {"--config", "c.toml"});
+    return run(options);
+  }
+  outcome check(const std::string& configuration) { return run(configuration, {"--check"}); }
+  // Ends it as its user does.
+  outcome interrupt() {
+    send(SIGINT);
+    return end();
+  }
+  // It stands still for so long [s].
+  void freeze(double seconds) const {
+    send(SIGSTOP);
+    usleep(static_cast<useconds_t>(1e6 * seconds));
+    send(SIGCONT);
   }
 
-  fs::path log_path() const { return directory / "brake_driver.csv"; }
-  fs::path part_path() const { return directory / "brake_driver.csv.part"; }
+  std::string log_name = "brake_driver.csv";
+  fs::path log_path() const { return directory / log_name; }
+  fs::path part_path() const { return directory / (log_name + ".part"); }
   log_file log() const { return log_file(fs::exists(log_path()) ? log_path() : part_path()); }
 
   // Whether there is a row of this state, from a row on, while it is being written; then that row.
   bool reaches(const std::string& state, std::size_t from = 0, std::size_t* found = nullptr) {
+    return has_row([&](const log_file& all, std::size_t i) { return all.text(i, "state") == state; }, from,
+                   found);
+  }
+  template <class Is>
+  bool has_row(const Is& is, std::size_t from = 0, std::size_t* found = nullptr) {
     return eventually([&] {
       const log_file all = log();
       for (std::size_t i = from; i + 1 < all.size(); ++i)
-        if (all.text(i, "state") == state) {
+        if (is(all, i)) {
           if (found != nullptr) *found = i;
           return true;
         }
@@ -251,16 +263,6 @@ struct a_driver : ::testing::Test {
     return "at " + all.text(i, "t") + " s: " + all.text(i, "state") + ", " + all.text(i, "reason") +
            ", held_over " + all.text(i, "held_over") + "; ";
   }
-  // Whether current has flowed.
-  bool brakes_hold() {
-    return eventually([&] {
-      const log_file all = log();
-      for (std::size_t i = 0; i + 1 < all.size(); ++i)
-        if (all.number(i, "current2") > 0) return true;
-      return false;
-    });
-  }
-
   // Its two processes beside the loop.
   pid_t recorder() const { return child_that(true); }
   pid_t supervisor() const { return child_that(false); }
@@ -273,6 +275,12 @@ struct a_driver : ::testing::Test {
     });
   }
 
+  // Its log has all, in its file, and no process is left.
+  void expect_whole_log() const {
+    EXPECT_TRUE(nothing_is_left());
+    EXPECT_FALSE(fs::exists(part_path()));
+    EXPECT_TRUE(log().is_whole());
+  }
   void expect_released_at_the_end(const std::string& reason) const {
     const log_file all = log();
     ASSERT_TRUE(all.is_whole());
@@ -291,6 +299,15 @@ struct a_driver : ::testing::Test {
     for (const pid_t one : children_of(pid))
       if (has_open(one, part_path().filename()) == has_the_log) return one;
     return -1;
+  }
+};
+
+// Bare systems have no pseudo-terminals.
+struct a_driver_at_a_terminal : a_driver {
+  void SetUp() override {
+    const int one = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (one < 0) GTEST_SKIP() << "no pseudo-terminal: is devpts mounted at /dev/pts?";
+    close(one);
   }
 };
 

@@ -9,8 +9,7 @@ using namespace program;
 struct a_running_driver : a_driver {};
 
 TEST_F(a_running_driver, homes_tares_displays_the_wall_and_leaves_a_whole_log) {
-  file("c.toml", settings{.hand_start = 2}.text());
-  const outcome o = run({"--config", "c.toml", "--seconds", "3.5"});
+  const outcome o = run(settings{.hand_start = 2}.text(), {"--seconds", "3.5"});
   EXPECT_EQ(o.status, 0) << o.err;
   std::istringstream err(o.err);
   for (std::string line; std::getline(err, line);)
@@ -47,13 +46,11 @@ TEST_F(a_running_driver, homes_tares_displays_the_wall_and_leaves_a_whole_log) {
 }
 
 TEST_F(a_running_driver, takes_any_mechanism) {
-  const std::string five_bar =
-      "[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\nduration = 0.1\n"
-      "[sensor]\nlink = [0, 0]\n[safety]\nhold_over = 5\nsupervisor_timeout = 5\n[loop]\nmax_overruns = "
-      "1000000\nmax_sleep = "
-      "10\n";
-  file("five_bar.toml", five_bar);
-  const outcome o = run({"--config", "five_bar.toml", "--seconds", "2", "--quiet"});
+  const outcome o =
+      run("[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\nduration = 0.1\n[sensor]\nlink = "
+          "[0, 0]\n"
+          "[safety]\nhold_over = 5\nsupervisor_timeout = 5\n[loop]\nmax_overruns = 1000000\nmax_sleep = 10\n",
+          {"--seconds", "2", "--quiet"});
   EXPECT_EQ(o.status, 0) << o.out << o.err;
   EXPECT_EQ(log().text(log().size() - 1, "state"), "active");
   EXPECT_EQ(log().text(log().size() - 1, "status"), "ok");
@@ -69,10 +66,8 @@ TEST_F(a_running_driver, keeps_the_shipped_configurations_promise) {
   const outcome comedi = run({"--config", shipped + "/comedi.toml", "--quiet"});
   EXPECT_EQ(comedi.status, PASSIVE_HAPTICS_HAS_COMEDI ? 1 : 2);
   EXPECT_TRUE(has(comedi.err, PASSIVE_HAPTICS_HAS_COMEDI ? "/dev/comedi0" : "libcomedi-dev")) << comedi.err;
-  file("serial.toml",
-       text_of(shipped + "/serial.toml")
-           .replace(text_of(shipped + "/serial.toml").find("/dev/ttyACM0"), 12, "/dev/tty_none"));
-  const outcome serial = run({"--config", "serial.toml", "--quiet"});
+  std::string text = text_of(shipped + "/serial.toml");
+  const outcome serial = run(text.replace(text.find("/dev/ttyACM0"), 12, "/dev/tty_none"), {"--quiet"});
   EXPECT_EQ(serial.status, 1);
   EXPECT_EQ(serial.err,
             "error: serial port /dev/tty_none: no such file; plug the device in, or find its name by `ls "
@@ -80,20 +75,14 @@ TEST_F(a_running_driver, keeps_the_shipped_configurations_promise) {
   EXPECT_EQ(text_of(log_path()), "of a run before") << "where nothing ran, the log stays";
   EXPECT_FALSE(fs::exists(part_path()));
   EXPECT_TRUE(nothing_is_left());
-}
-
-TEST_F(a_running_driver, simulates_what_another_configuration_connects) {
   // Without what it asks of the kernel: as root it would be granted
-  std::string serial = text_of(shipped + "/serial.toml");
-  serial.erase(serial.find("[loop]"));
-  file("c.toml", serial);
-  const outcome o = run({"--config", "c.toml", "--simulate", "--seconds", "0.2", "--quiet"});
-  EXPECT_TRUE(has(o.out, " cycles, ")) << o.out << o.err;
+  text.erase(text.find("[loop]"));
+  const outcome simulated = run(text, {"--simulate", "--seconds", "0.2", "--quiet"});
+  EXPECT_TRUE(has(simulated.out, " cycles, ")) << simulated.out << simulated.err;
 }
 
 TEST_F(a_running_driver, says_before_anything_starts_that_it_cannot_write_its_log) {
-  file("c.toml", "log = \"nowhere/log.csv\"");
-  const outcome o = run({"--config", "c.toml"});
+  const outcome o = run("log = \"nowhere/log.csv\"", {});
   EXPECT_EQ(o.status, 1);
   EXPECT_EQ(
       o.err,
@@ -107,8 +96,7 @@ TEST_F(a_running_driver, replaces_no_device_by_its_log) {
   fs::create_symlink("/dev/null", directory / "null.csv");
   ASSERT_EQ(mkfifo((directory / "fifo.csv").c_str(), 0600), 0);
   for (const auto& [name, kind] : {std::pair{"null.csv", "a device"}, {"fifo.csv", "a FIFO"}}) {
-    file("c.toml", std::string("log = \"") + name + "\"\n" + settings{}.text());
-    const outcome o = run({"--config", "c.toml", "--seconds", "0.1"});
+    const outcome o = run(std::string("log = \"") + name + "\"\n" + settings{}.text(), {"--seconds", "0.1"});
     EXPECT_EQ(o.status, 1) << o.out;
     EXPECT_TRUE(o.err.ends_with(std::string("error: cannot write '") + name + "': it is " + kind +
                                 ", expected a regular file or a free name; choose another name\n"))
@@ -117,36 +105,9 @@ TEST_F(a_running_driver, replaces_no_device_by_its_log) {
   }
 }
 
-TEST_F(a_running_driver, writes_to_no_log_that_another_one_writes) {
-  start(settings{});
-  ASSERT_TRUE(reaches("active")) << ended();
-  const pid_t writer = recorder();
-  EXPECT_EQ(status_of(spawn({driver, "--config", "c.toml", "--seconds", "0.1"}, "second")), 1);
-  const std::string second = text_of(directory / "second.err");
-  EXPECT_TRUE(second.ends_with("error: cannot write 'brake_driver.csv.part': it is there, and process " +
-                               std::to_string(writer) +
-                               " writes to it; wait until that ends, or choose another name\n"))
-      << second;
-  send(SIGINT);
-  EXPECT_EQ(end().status, 0);
-  EXPECT_TRUE(log().is_whole());
-  EXPECT_FALSE(fs::exists(part_path()));
-}
-
-TEST_F(a_running_driver, tells_that_the_disk_was_full) {
-  // A file of at most 64 KiB stands for it
-  file("c.toml", settings{}.text());
-  pid = spawn({"/bin/bash", "-c", "ulimit -f 64; exec '" + driver + "' --config c.toml --seconds 1 --quiet"},
-              "driver");
-  const outcome o = end();
-  EXPECT_TRUE(has(o.err, "error: cannot write all of 'brake_driver.csv.part'")) << o.err;
-  EXPECT_TRUE(has(o.out, "log: brake_driver.csv.part, as far as it came")) << o.out;
-  EXPECT_FALSE(fs::exists(log_path()));
-}
-
 TEST_F(a_running_driver, says_what_becomes_of_the_currents_whoever_dies) {
-  file("c.toml", "[safety]\nat_release = \"ramp\"\nramp_time = 0.7\nsupervisor_timeout = 0.4\n");
-  const outcome o = run({"--config", "c.toml", "--seconds", "0.1", "--quiet"});
+  const outcome o = run("[safety]\nat_release = \"ramp\"\nramp_time = 0.7\nsupervisor_timeout = 0.4\n",
+                        {"--seconds", "0.1", "--quiet"});
   EXPECT_TRUE(
       has(o.out,
           "at a release: down to 0 A within 0.7 s; where the loop dies or stops its supervisor does so, "
@@ -157,14 +118,13 @@ TEST_F(a_running_driver, says_what_becomes_of_the_currents_whoever_dies) {
 TEST_F(a_running_driver, refuses_to_keep_currents_where_no_watchdog_ends_them) {
   std::string card = text_of(shipped + "/comedi.toml");
   card.insert(card.find("[safety]\n") + 9, "at_release = \"hold\"\n");
-  file("comedi.toml", card);
-  const outcome comedi = run({"--config", "comedi.toml", "--check"});
+  const outcome comedi = check(card);
   EXPECT_EQ(comedi.status, 2);
   EXPECT_TRUE(has(comedi.err, "[safety] at_release, expected \"zero\": a card under Comedi has no watchdog"))
       << comedi.err;
   // It would let go before the supervisor could ramp
-  file("late.toml", "[safety]\nat_release = \"ramp\"\nsupervisor_timeout = 0.9\n");
-  const outcome late = run({"--config", "late.toml", "--seconds", "0.1"});
+  const outcome late =
+      run("[safety]\nat_release = \"ramp\"\nsupervisor_timeout = 0.9\n", {"--seconds", "0.1"});
   EXPECT_EQ(late.status, 2);
   EXPECT_TRUE(
       has(late.err,
@@ -176,27 +136,24 @@ TEST_F(a_running_driver, refuses_to_keep_currents_where_no_watchdog_ends_them) {
 }
 
 TEST_F(a_running_driver, makes_the_folder_of_its_log) {
-  file("c.toml", settings{}.text());
-  const outcome o = run({"--config=c.toml", "--seconds=0.1", "--output=there/too", "--quiet"});
+  const outcome o = run(settings{}.text(), {"--seconds=0.1", "--output=there/too", "--quiet"});
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(has(o.out, "log: there/too/brake_driver.csv, 0 cycles lost")) << o.out;
   EXPECT_TRUE(log_file(directory / "there/too/brake_driver.csv").is_whole());
 }
 
 TEST_F(a_running_driver, writes_no_log_where_none_is_wanted) {
-  file("c.toml", settings{.top = "log = \"\""}.text());
-  const outcome o = run({"--config", "c.toml", "--seconds", "0.3"});
+  const outcome o = run(settings{.top = "log = \"\""}.text(), {"--seconds", "0.3"});
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_FALSE(has(o.out, "log:"));
   EXPECT_FALSE(fs::exists(log_path()) || fs::exists(part_path()));
 }
 
 TEST_F(a_running_driver, does_not_mind_another_one) {
-  const std::string text = settings{.sections = ""}.text();
-  file("c.toml", text);
+  const std::string text = settings{}.text();
   file("other.toml", "log = \"other.csv\"\n" + text);
   const pid_t other = spawn({driver, "--config", "other.toml", "--seconds", "1"}, "other");
-  const outcome o = run({"--config", "c.toml", "--seconds", "1"});
+  const outcome o = run(text, {"--seconds", "1"});
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_EQ(status_of(other), 0);
   EXPECT_TRUE(log().is_whole() && log_file(directory / "other.csv").is_whole());

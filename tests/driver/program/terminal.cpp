@@ -76,11 +76,9 @@ class screen {
       column_ = 0;
     } else if (escape_ == "\033[2J") {
       for (auto& line : lines_) line.clear();
-    } else if (what == 'K') {
+    } else if (what == 'K' || what == 'J') {
       lines_[row_].resize(std::min(lines_[row_].size(), static_cast<std::size_t>(column_)));
-    } else if (what == 'J') {
-      lines_[row_].resize(std::min(lines_[row_].size(), static_cast<std::size_t>(column_)));
-      for (std::size_t i = row_ + 1; i < lines_.size(); ++i) lines_[i].clear();
+      for (std::size_t i = row_ + 1; what == 'J' && i < lines_.size(); ++i) lines_[i].clear();
     } else {
       ADD_FAILURE() << "an escape sequence that no test knows";
     }
@@ -93,21 +91,19 @@ class screen {
   std::string escape_;
 };
 
-struct a_terminal : a_driver {
+struct a_terminal : a_driver_at_a_terminal {
   int terminal = -1;
   screen shown{1, 1};
 
-  void SetUp() override {
-    if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminal: is devpts mounted at /dev/pts?";
-  }
   ~a_terminal() override {
     if (terminal >= 0) close(terminal);
   }
+  static winsize size_of(int rows, int columns) {
+    return {static_cast<unsigned short>(rows), static_cast<unsigned short>(columns), 0, 0};
+  }
   void start_in(int rows, int columns, const settings& s = {}) {
     file("c.toml", s.text());
-    winsize size{};
-    size.ws_row = static_cast<unsigned short>(rows);
-    size.ws_col = static_cast<unsigned short>(columns);
+    const winsize size = size_of(rows, columns);
     shown = screen(rows, columns);
     pid = forkpty(&terminal, nullptr, nullptr, &size);
     ASSERT_GE(pid, 0);
@@ -119,11 +115,22 @@ struct a_terminal : a_driver {
     for (ssize_t n; (n = read(terminal, bytes.data(), bytes.size())) > 0;)
       shown.write(std::string(bytes.data(), static_cast<std::size_t>(n)));
   }
-  bool redraws(int times) {
+  template <class Condition>
+  bool shows(const Condition& condition) {
     return eventually([&] {
       look();
-      return shown.redrawn >= times;
+      return condition();
     });
+  }
+  bool redraws(int times) {
+    return shows([&] { return shown.redrawn >= times; });
+  }
+  void quit() {
+    send(SIGINT);
+    shows([this] { return waitpid(pid, nullptr, WNOHANG) != 0; });
+  }
+  bool shows_the_release() {
+    return shows([this] { return has(shown.text(), "brakes released: as requested"); });
   }
 };
 
@@ -139,37 +146,25 @@ TEST_F(a_terminal, shows_one_table_that_is_redrawn_in_its_place) {
     EXPECT_EQ(shown.count(line), 1) << line << "\n" << shown.text();
   EXPECT_EQ(shown.count("  up to"), 1) << shown.text();
   send(SIGINT);
-  EXPECT_TRUE(eventually([this] {
-    look();
-    return has(shown.text(), "brakes released: as requested");
-  })) << shown.text();
+  EXPECT_TRUE(shows_the_release()) << shown.text();
   EXPECT_EQ(end().status, 0);
 }
 
 TEST_F(a_terminal, shows_no_force_of_a_wall_that_is_not_displayed_and_how_to_rearm) {
   start_in(50, 100, {.max_sleep = 0.3, .hand_start = 0.2, .start_depth = 0.1});
   ASSERT_TRUE(reaches("active")) << ended();
-  send(SIGSTOP);
-  usleep(1'000'000);
-  send(SIGCONT);
-  ASSERT_TRUE(eventually([this] {
-    look();
-    return shown.count("state    released: a cycle began far too late") == 1;
-  })) << shown.text();
+  freeze(1);
+  ASSERT_TRUE(shows([this] { return shown.count("state    released: a cycle began far too late") == 1; }))
+      << shown.text();
   ASSERT_TRUE(redraws(shown.redrawn + 2));
   EXPECT_EQ(shown.count("wall     not displayed"), 1) << shown.text();
   EXPECT_EQ(shown.count("wall     x"), 0) << shown.text();
   EXPECT_EQ(shown.count("rearm    when that is over: kill -USR1 " + std::to_string(pid)), 1) << shown.text();
   send(SIGUSR1);
-  EXPECT_TRUE(eventually([this] {
-    look();
+  EXPECT_TRUE(shows([this] {
     return shown.count("state    active") == 1 && shown.count("wall     x") == 1 && shown.count("rearm") == 0;
   })) << shown.text();
-  send(SIGINT);
-  eventually([this] {
-    look();
-    return waitpid(pid, nullptr, WNOHANG) != 0;
-  });
+  quit();
 }
 
 TEST_F(a_terminal, that_is_small_shows_what_fits) {
@@ -180,11 +175,7 @@ TEST_F(a_terminal, that_is_small_shows_what_fits) {
   EXPECT_FALSE(shown.broke_a_line) << shown.text();
   EXPECT_EQ(shown.count("state "), 1) << shown.text();
   EXPECT_EQ(shown.count("tendon_two_link"), 1) << shown.text();
-  send(SIGINT);
-  eventually([this] {
-    look();
-    return waitpid(pid, nullptr, WNOHANG) != 0;
-  });
+  quit();
 }
 
 TEST_F(a_terminal, of_another_size_keeps_nothing_of_the_table_before) {
@@ -192,50 +183,25 @@ TEST_F(a_terminal, of_another_size_keeps_nothing_of_the_table_before) {
   ASSERT_TRUE(reaches("active")) << ended();
   ASSERT_TRUE(redraws(2));
   for (const auto& [rows, columns] : {std::pair{20, 50}, {40, 120}}) {
-    winsize size{};
-    size.ws_row = static_cast<unsigned short>(rows);
-    size.ws_col = static_cast<unsigned short>(columns);
+    const winsize size = size_of(rows, columns);
     look();
     ASSERT_EQ(ioctl(terminal, TIOCSWINSZ, &size), 0);
     shown.resize(rows, columns);
-    EXPECT_TRUE(eventually([this] {
-      look();
-      return shown.count("torn") == 0;
-    })) << shown.text();
+    EXPECT_TRUE(shows([this] { return shown.count("torn") == 0; })) << shown.text();
     shown.broke_a_line = false;  // by a table on its way
     ASSERT_TRUE(redraws(shown.redrawn + 3));
     EXPECT_FALSE(shown.broke_a_line) << shown.text();
     EXPECT_EQ(shown.count("state    active"), 1) << shown.text();
     EXPECT_EQ(shown.count("tendon_two_link"), 1) << shown.text();
   }
-  send(SIGINT);
-  eventually([this] {
-    look();
-    return waitpid(pid, nullptr, WNOHANG) != 0;
-  });
-}
-
-TEST_F(a_terminal, that_is_closed_ends_the_driver_in_good_order) {
-  start_in(50, 100);
-  ASSERT_TRUE(redraws(2));
-  ASSERT_TRUE(reaches("active")) << ended();
-  close(terminal);
-  terminal = -1;
-  EXPECT_EQ(end().status, 0);
-  EXPECT_TRUE(nothing_is_left());
-  EXPECT_FALSE(fs::exists(part_path()));
-  EXPECT_TRUE(log().is_whole());
+  quit();
 }
 
 TEST_F(a_terminal, that_nobody_reads_costs_the_log_no_cycle) {
   start_in(50, 100, {.period = 2e-4});
   // Its buffer is full after some tables, the queue of the log some seconds later
   ASSERT_TRUE(eventually([&] { return time_written() > 4; })) << time_written();
-  send(SIGINT);
-  eventually([this] {
-    look();
-    return waitpid(pid, nullptr, WNOHANG) != 0;
-  });
+  quit();
   EXPECT_TRUE(has(shown.text(), ", 0 cycles lost")) << shown.text();
 }
 
@@ -243,10 +209,7 @@ TEST_F(a_terminal, gets_its_Ctrl_C_through) {
   start_in(50, 100);
   ASSERT_TRUE(reaches("active")) << ended();
   ASSERT_EQ(write(terminal, "\003", 1), 1);
-  eventually([this] {
-    look();
-    return has(shown.text(), "brakes released: as requested");
-  });
+  shows_the_release();
   EXPECT_EQ(end().status, 0);
   EXPECT_TRUE(log().is_whole()) << "no process but the loop's heard it";
 }

@@ -46,9 +46,8 @@ struct a_hand_at_the_wall : a_driver {
   way_along_the_wall along_the_wall(const settings& s) {
     constexpr int max_runs = 10;
     way_along_the_wall found;
-    file("c.toml", s.text());
     for (int k = 0; k == 0 || (k < max_runs && !found.is_telling()); ++k) {
-      const outcome o = run({"--config", "c.toml", "--seconds", "3", "--quiet"});
+      const outcome o = run(s.text(), {"--seconds", "3", "--quiet"});
       EXPECT_EQ(o.status, 0) << o.err;
       found = first_way(log());
     }
@@ -64,8 +63,7 @@ struct a_hand_at_the_wall : a_driver {
 };
 
 TEST_F(a_hand_at_the_wall, stays_there_where_the_configuration_names_no_law) {
-  const auto found = along_the_wall({.hand_start = 0.5, .top = ""});
-  expect_gliding(found);
+  expect_gliding(along_the_wall({.hand_start = 0.5, .top = ""}));
 }
 
 // That the log shows it.
@@ -79,11 +77,10 @@ TEST_F(a_hand_at_the_wall, bounces_off_under_the_law_of_the_paper) {
 TEST_F(a_hand_at_the_wall, is_left_to_the_brake_that_is_on) {
   for (const std::string law : {"direct_control", "velocity_direct_control"}) {
     SCOPED_TRACE(law);
-    file("c.toml", settings{.hand_start = 0.5,
-                            .top = "law = \"" + law + "\"",
-                            .sections = "[brakes]\ntorque_lower = [0, -inf]\ntorque_upper = [0, inf]\n"}
-                       .text());
-    const outcome o = run({"--config", "c.toml", "--seconds", "3", "--quiet"});
+    const settings s{.hand_start = 0.5,
+                     .top = "law = \"" + law + "\"",
+                     .sections = "[brakes]\ntorque_lower = [0, -inf]\ntorque_upper = [0, inf]\n"};
+    const outcome o = run(s.text(), {"--seconds", "3", "--quiet"});
     EXPECT_EQ(o.status, 0) << o.err;
     const log_file all = log();
     double first = 0, second = 0;
@@ -102,9 +99,8 @@ TEST_F(a_hand_at_the_wall, stays_there_with_the_brakes_that_a_bench_measured) {
   ASSERT_EQ(status_of(spawn({PASSIVE_HAPTICS_BRAKE_BENCH, "--brake=coulomb", "--output=."}, "bench")), 0);
   const outcome whole = run({"--config", "brakes.toml", "--check"});
   EXPECT_EQ(whole.status, 0) << whole.err;
-  const auto found =
-      along_the_wall({.hand_start = 0.5, .top = "", .sections = text_of(directory / "brakes.toml")});
-  expect_gliding(found);
+  expect_gliding(
+      along_the_wall({.hand_start = 0.5, .top = "", .sections = text_of(directory / "brakes.toml")}));
 }
 
 }  // namespace

@@ -81,13 +81,8 @@ TYPED_TEST(brakes, sign_is_that_of_the_rate_over_the_dead_band_else_that_of_the_
                        {0, T(-0.2501), -1}}) {
     EXPECT_EQ(ph::brake_sign(r.w, r.th, band, floor), r.sign) << "w = " << r.w << ", th = " << r.th;
   }
-}
-
-TYPED_TEST(brakes, a_zero_dead_band_counts_any_motion_as_slip) {
-  using T = TypeParam;
-  const T least = std::numeric_limits<T>::denorm_min();
-  EXPECT_TRUE(ph::slips(least, T(0)));
-  EXPECT_TRUE(ph::slips(-least, T(0)));
+  for (const T least : {std::numeric_limits<T>::denorm_min(), -std::numeric_limits<T>::denorm_min()})
+    EXPECT_TRUE(ph::slips(least, T(0))) << "without a dead band any motion is slip";
   EXPECT_FALSE(ph::slips(T(0), T(0)));
 }
 
@@ -143,48 +138,6 @@ TYPED_TEST(brakes, say_what_is_wrong_with_them) {
   EXPECT_EQ(ph::check_brakes(p), "rate_dead_band[1] [rad/s] = -3, expected a finite number >= 0");
   p.torque_limit[0] = T(-4);
   EXPECT_EQ(ph::check_brakes(p), "torque_limit[0] [N m] = -4, expected a finite number >= 0");
-}
-
-TYPED_TEST(brakes, a_brake_without_a_sign_may_be_told_to_hold_but_is_predicted_to_do_nothing) {
-  using T = TypeParam;
-  using V = ph::vector<T, 1>;
-  const ph::brake_parameters<T, 1> p;
-  for (const T td : {T(-1), T(1)}) EXPECT_EQ(ph::passive_torque(V(td), V(T(0)), V(T(0)), p), V(T(0)));
-  EXPECT_TRUE(ph::producible(V(T(0)), V(T(1))));
-  EXPECT_TRUE(ph::producible(V(T(0)), V(T(-1))));
-}
-
-TYPED_TEST(brakes, a_force_is_producible_if_no_brake_has_to_drive) {
-  using T = TypeParam;
-  using V = ph::vector<T, 2>;
-  for (int s = -1; s <= 1; ++s) {
-    for (int t = -1; t <= 1; ++t) {
-      EXPECT_EQ(ph::producible(V(static_cast<T>(s), T(1)), V(static_cast<T>(t), T(-1))), s * t <= 0)
-          << s << t;
-      EXPECT_FALSE(ph::producible(V(static_cast<T>(s), T(1)), V(static_cast<T>(t), T(1)))) << s << t;
-    }
-  }
-}
-
-TYPED_TEST(brakes, power_class_asks_for_total_power_first) {
-  using T = TypeParam;
-  using V = ph::vector<T, 2>;
-  const V s(1, -1);
-  const bool easy = ph::producible(s, V(-1, 1)), mixed = ph::producible(s, V(-1, -1));
-  EXPECT_EQ(ph::classify_power(T(-1), easy), ph::power_class::passive_1);
-  EXPECT_EQ(ph::classify_power(T(-1), mixed), ph::power_class::passive_2);
-  EXPECT_EQ(ph::classify_power(T(0), mixed), ph::power_class::passive_2);
-  EXPECT_EQ(ph::classify_power(T(1), easy), ph::power_class::active);
-  EXPECT_EQ(ph::classify_power(T(1), mixed), ph::power_class::active);
-}
-
-TYPED_TEST(brakes, power_of_torques_is_that_of_their_force) {
-  using T = TypeParam;
-  using V = ph::vector<T, 2>;
-  const ph::matrix<T, 2, 2> E = ph::matrix_of<2, 2>(T(1), T(2), T(-3), T(0.5));
-  const V F(T(0.25), T(-4)), w(T(2), T(-1));
-  EXPECT_NEAR(ph::mechanical_power(ph::brake_torque(E, F), w), F.dot(V(E * w)),
-              64 * ph::rounding_tolerance<T>(2));
 }
 
 }  // namespace

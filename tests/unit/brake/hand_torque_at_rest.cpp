@@ -7,7 +7,6 @@
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
-#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -64,18 +63,13 @@ simulated simulate(const M& arm, const ph::device_state<M>& state, int rests, do
   return {device.brake_torque()[rests], device.rates()[rests] / dt};
 }
 
-template <class M>
-struct arm_with_brakes : ::testing::Test {};
-using arms = tested_types<ph::tendon_two_link<double>, ph::two_link<double>>;
-TYPED_TEST_SUITE(arm_with_brakes, arms);
-
-TYPED_TEST(arm_with_brakes, pushes_a_brake_at_rest_the_way_it_would_accelerate) {
-  using M = TypeParam;
+TEST(exact_hand_torque, pushes_a_brake_at_rest_the_way_it_would_accelerate) {
+  using M = ph::tendon_two_link<double>;
   const M arm;
   const auto brakes = quick_brakes<M>();
   ph::testing::random_source random(seed);
   int static_wrong = 0, alone_wrong = 0;
-  constexpr int motions = 2000;
+  constexpr int motions = 400;
   for (int k = 0; k < motions; ++k) {
     const int rests = k % 2;
     const auto state = random_motion(arm, rests, random);
@@ -95,24 +89,6 @@ TYPED_TEST(arm_with_brakes, pushes_a_brake_at_rest_the_way_it_would_accelerate) 
   }
   EXPECT_GT(static_wrong, motions / 10);
   EXPECT_GT(alone_wrong, motions / 10);
-}
-
-TEST(static_hand_torques, are_exact_where_all_brakes_are_at_rest_and_nothing_else_pushes) {
-  const auto check = [](const auto& arm) {
-    using M = std::remove_cvref_t<decltype(arm)>;
-    ph::testing::random_source random(seed);
-    for (int k = 0; k < 100; ++k) {
-      auto state = random_motion(arm, 0, random);
-      state.qd.setZero();
-      const ph::mechanism_pose<M> pose(arm, state.q);
-      const pair exact =
-          ph::exact_hand_torque<M>(pose, ph::brakes_of<M>(), state, pair(0, 0), ph::vector<double, 2>(1, 1));
-      const pair still = ph::brake_torque(ph::brake_jacobian(arm, state.q), state.hand_force);
-      EXPECT_LE((exact - still).norm(), 1e-12 * state.hand_force.norm());
-    }
-  };
-  check(ph::tendon_two_link<double>());
-  check(ph::xy_table<double>());
 }
 
 // ---- more brakes at rest than joints, and a mass matrix that is none
@@ -218,7 +194,7 @@ TEST(brake_bias_acceleration, is_part_of_what_holds_a_brake) {
   const auto brakes = quick_brakes<cam_arm>();
   ph::testing::random_source random(seed);
   double max_drift = 0;
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < 100; ++k) {
     const int rests = k % 2;
     const auto state = random_motion(arm, rests, random);
     const ph::mechanism_pose<cam_arm> pose(arm, state.q);

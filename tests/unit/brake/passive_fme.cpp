@@ -52,7 +52,7 @@ TYPED_TEST(passive_fme, reference_forces_are_made_by_one_brake_alone) {
 TYPED_TEST(passive_fme, exactly_one_region_holds_a_generic_force) {
   using T = TypeParam;
   ph::testing::random_source random(11);
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 100; ++k) {
     const ph::vector<T, 2> t = random.uniform(T(0.01), T(0.99)) * random.direction<T, 2>();
     const ph::vector<T, 2> F = this->G * t;
     int holding = 0;
@@ -95,6 +95,9 @@ TYPED_TEST(passive_fme, torque_box_has_its_limits_as_corners) {
 
 TYPED_TEST(passive_fme, outline_is_closed_and_its_arc_lies_on_unit_torque) {
   using T = TypeParam;
+  EXPECT_EQ(ph::passive_fme_outline(this->G, two[0]).size(), 35u) << "32 chords if not given";
+  for (const int bad : {0, std::numeric_limits<int>::max()})
+    EXPECT_THROW(ph::passive_fme_outline(this->G, two[0], bad), std::invalid_argument);
   for (const auto& region : two) {
     const auto outline = ph::passive_fme_outline(this->G, region, 8);
     ASSERT_EQ(outline.size(), 11u);
@@ -127,17 +130,6 @@ TYPED_TEST(passive_fme, torque_box_outline_is_a_parallelogram_over_the_limits) {
                   static_cast<double>(this->E.norm() * outline[k].norm()) + 1e-30);
     }
   }
-}
-
-TYPED_TEST(passive_fme, brakes_produce_torques_against_their_motion) {
-  using T = TypeParam;
-  EXPECT_EQ(ph::producible_signs(ph::vector<T, 3>(1, -1, 1)), (ph::torque_signs<3>{-1, 1, -1}));
-}
-
-TYPED_TEST(passive_fme, outline_has_32_chords_unless_told) {
-  EXPECT_EQ(ph::passive_fme_outline(this->G, two[0]).size(), 35u);
-  for (const int bad : {0, std::numeric_limits<int>::max()})
-    EXPECT_THROW(ph::passive_fme_outline(this->G, two[0], bad), std::invalid_argument);
 }
 
 // x_i = q_i^2 / 2: singular where a joint is at 0.

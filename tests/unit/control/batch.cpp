@@ -34,20 +34,16 @@ void expect_that_of_single_cycles(const L& law, ph::saturation limits, double st
   options.limits = limits;
   const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), stiffness));
   const auto seen = batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, law,
-                                                              options, states_about(0.225, 1, 5003));
-  for (const int count : seen) EXPECT_GT(count, 200);
+                                                              options, states_about(0.225, 1, 1003));
+  for (const int count : seen) EXPECT_GT(count, 40);
 }
 
 TEST(batch, without_direct_control) {
   expect_that_of_single_cycles(ph::no_direct_control(), ph::saturation::keep_direction, 1e7);
 }
 
-TEST(batch, of_direct_control_at_a_soft_wall) {
-  expect_that_of_single_cycles(ph::direct_control(), ph::saturation::clamp_each, 1e3);
-}
-
 TEST(batch, of_direct_control_with_a_dead_band) {
-  expect_that_of_single_cycles(ph::direct_control{0.2}, ph::saturation::keep_direction, 1e4);
+  expect_that_of_single_cycles(ph::direct_control{0.2}, ph::saturation::clamp_each, 1e3);
 }
 
 TEST(batch, of_saturated_direct_control) {
@@ -104,13 +100,13 @@ TEST(batch, at_a_held_scene_samples_it_for_each_state) {
 }
 
 TEST(batch, by_threads) {
-  constexpr std::size_t n = 4001;
+  constexpr std::size_t n = 1001;
   const auto batch = direct();
   batch_cases::states<tendons> in(states_about(0.225, 3, n));
   batch_cases::results<tendons> alone(n), shared(n);
   batch(in.spans(), alone.spans());
-  std::thread other([&] { batch(part_of(in.spans(), 0, 1999), part_of(shared.spans(), 0, 1999)); });
-  batch(part_of(in.spans(), 1999, n - 1999), part_of(shared.spans(), 1999, n - 1999));
+  std::thread other([&] { batch(part_of(in.spans(), 0, 499), part_of(shared.spans(), 0, 499)); });
+  batch(part_of(in.spans(), 499, n - 499), part_of(shared.spans(), 499, n - 499));
   other.join();
   EXPECT_EQ(alone.capacity.of, shared.capacity.of);
   EXPECT_EQ(alone.outcome, shared.outcome);
@@ -184,7 +180,7 @@ TEST(batch, refuses_what_a_controller_refuses) {
 TEST(batch, of_invalid_options_releases) {
   ph::step_options<double> options;
   options.min_cosine = std::numeric_limits<double>::quiet_NaN();
-  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1})));
+  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4));
   batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, ph::direct_control(),
                                             options, states_about(0.225, 6, 101));
 }
@@ -204,7 +200,7 @@ struct wall_that_moves : plane {
 TEST(batch, of_a_law_of_ones_own) {
   const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4));
   batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, any_share(), {},
-                                            states_about(0.225, 7, 2001));
+                                            states_about(0.225, 7, 501));
 }
 
 TEST(batch, at_a_wall_that_moves) {

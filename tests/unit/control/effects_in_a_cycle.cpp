@@ -9,7 +9,6 @@
 #include <passive_haptics/force/effects/rough_walls.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <algorithm>
@@ -42,19 +41,18 @@ struct three_tendons : custom::sizes<T, 2, 2> {
   }
 };
 
-// A cycle at a random state in contact with `Walls` random walls, with effects and without.
-template <class M, int Walls>
+// A cycle at a random state in contact with random walls, with effects and without.
+template <class M>
 struct random_cycle {
   static constexpr int d = M::task_dimension;
   using T = typename M::scalar;
-  using touched_type = ph::contacts<d, Walls == 0 ? 1 : Walls>;
 
   M mechanism;
   ph::brakes_of<M> brakes;
   ph::device_state<M> state;
-  touched_type touched;
+  ph::contacts<d, 2> touched;
 
-  random_cycle(random_source& random, bool limited) {
+  random_cycle(random_source& random, int walls, bool limited) {
     brakes.rate_dead_band.setConstant(T(1e-9));  // all slip
     brakes.torque_limit.setConstant(limited ? random.positive(T(0.1), T(3)) : T(1e6));
     state.time = 0;
@@ -63,23 +61,17 @@ struct random_cycle {
       state.qd[i] = random.wide(T(0.01), T(3));
     }
     state.hand_force = random.positive(T(0.1), T(10)) * random.direction<T, d>();
-    for (int j = 0; j < Walls; ++j) {
+    for (int j = 0; j < walls; ++j) {
       ph::contact<d> c = asking_for<d>(random.positive(0.1, 100.0) * random.direction<double, d>());
       c.wall_number = 4 + j;
       touched.push_back(c);
     }
   }
 
-  template <class Law = ph::direct_control>
-  auto alone() const {
-    ph::step_memory<Law> memory;
-    return ph::step(mechanism, brakes, touched, Law(), state, memory);
-  }
+  auto alone() const { return step(touched); }
   template <class... Effects>
   auto with(const Effects&... effects) const {
-    ph::step_memory<ph::direct_control> memory;
-    return ph::step(mechanism, brakes, ph::with_effects(touched, effects...), ph::direct_control(), state,
-                    memory);
+    return step(ph::with_effects(touched, effects...));
   }
 
   // F = G t of the torques that are commanded; all brakes slip.
@@ -90,6 +82,13 @@ struct random_cycle {
       const auto E = ph::brake_jacobian(mechanism, state.q);
       return ph::invert_brake_jacobian(ph::matrix<T, d, M::brake_count>(E)).G;
     }
+  }
+
+ private:
+  template <class Walls>
+  auto step(const Walls& walls) const {
+    ph::step_memory<ph::direct_control> memory;
+    return ph::step(mechanism, brakes, walls, ph::direct_control(), state, memory);
   }
 };
 
@@ -108,28 +107,29 @@ auto force_of(const Cycle& cycle, const Result& result) {
   }
 }
 
-template <class M, int Walls, class Check>
-void for_random_cycles(Check&& check) {
+// check(cycle, random) with from `first` to `last` walls.
+template <class M, class Check>
+void for_random_cycles(int first, int last, Check&& check) {
   random_source random(seed);
-  for (int k = 0; k < 400; ++k) {
+  for (int k = 0; k < 300; ++k) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", trial " + std::to_string(k));
-    check(random_cycle<M, Walls>(random, k % 2 == 1), random);
+    check(random_cycle<M>(random, first + k / 2 % (last - first + 1), k % 2 == 1), random);
     if (::testing::Test::HasFatalFailure()) return;
   }
 }
 
+// Square in the plane and in space, with self-motion, with more brakes than joints.
 template <class T>
 struct effects_in_a_cycle : ::testing::Test {};
-using mechanisms =
-    ::testing::Types<ph::tendon_two_link<double>, ph::xy_table<float>, custom::spatial_arm<double>,
-                     custom::planar_arm<double>, three_tendons<double>>;
+using mechanisms = ::testing::Types<ph::tendon_two_link<double>, custom::spatial_arm<double>,
+                                    custom::planar_arm<double>, three_tendons<double>>;
 TYPED_TEST_SUITE(effects_in_a_cycle, mechanisms);
 
 // Never more than brakes can: s_i t_i <= 0 and the limits exactly, so that the power is never positive.
-template <class M, int Walls>
-void expect_passive() {
+TYPED_TEST(effects_in_a_cycle, only_resist) {
+  using M = TypeParam;
   using T = typename M::scalar;
-  for_random_cycles<M, Walls>([](const auto& cycle, random_source& random) {
+  for_random_cycles<M>(0, 2, [](const auto& cycle, random_source& random) {
     constexpr int d = M::task_dimension;
     const ph::guide<T, d> rail({.direction = random.direction<T, d>(), .stiffness = T(300)});
     const ph::rough_walls<T, d> rough({.coefficient = T(0.4)});
@@ -148,16 +148,13 @@ void expect_passive() {
     EXPECT_TRUE(result.saturated || !any);
   });
 }
-TYPED_TEST(effects_in_a_cycle, only_resist) { expect_passive<TypeParam, 0>(); }
-TYPED_TEST(effects_in_a_cycle, only_resist_beside_a_wall) { expect_passive<TypeParam, 1>(); }
-TYPED_TEST(effects_in_a_cycle, only_resist_beside_two_walls) { expect_passive<TypeParam, 2>(); }
 
 // What the walls display and what is told of them is as without effects, left or not, at a limit or not.
-template <class M, int Walls>
-void expect_walls_kept() {
+TYPED_TEST(effects_in_a_cycle, leave_walls_their_normal_forces) {
+  using M = TypeParam;
   using T = typename M::scalar;
   int left = 0, kept = 0, changed = 0;
-  for_random_cycles<M, Walls>([&](const auto& cycle, random_source&) {
+  for_random_cycles<M>(1, 2, [&](const auto& cycle, random_source&) {
     const auto without = cycle.alone();
     const auto result = cycle.with(honey<M>(20));
     ASSERT_EQ(result.outcome, without.outcome);
@@ -181,12 +178,8 @@ void expect_walls_kept() {
   });
   EXPECT_GT(left, 100);
   EXPECT_GT(kept, 20);
-  if (Walls < M::task_dimension) {
-    EXPECT_GT(changed, 20);
-  }
+  EXPECT_GT(changed, 20);
 }
-TYPED_TEST(effects_in_a_cycle, leave_a_wall_its_normal_force) { expect_walls_kept<TypeParam, 1>(); }
-TYPED_TEST(effects_in_a_cycle, leave_two_walls_their_normal_forces) { expect_walls_kept<TypeParam, 2>(); }
 
 // Alone they are displayed as nearly as the brakes can; no law is asked.
 TYPED_TEST(effects_in_a_cycle, alone_are_the_nearest_force) {
@@ -194,7 +187,7 @@ TYPED_TEST(effects_in_a_cycle, alone_are_the_nearest_force) {
   using T = typename M::scalar;
   if constexpr (M::dof == M::task_dimension) {
     int exact = 0;
-    for_random_cycles<M, 0>([&](const auto& cycle, random_source&) {
+    for_random_cycles<M>(0, 0, [&](const auto& cycle, random_source&) {
       const auto result = cycle.with(honey<M>(5));
       const auto G = cycle.map();
       const ph::task_vector<M> v = ph::jacobian(cycle.mechanism, cycle.state.q) * cycle.state.qd;
@@ -215,41 +208,11 @@ TYPED_TEST(effects_in_a_cycle, alone_are_the_nearest_force) {
   }
 }
 
-// In the plane one wall leaves one torque to choose: the force along it is as near as it can be.
-TYPED_TEST(effects_in_a_cycle, beside_a_wall_are_as_near_as_can_be_along_it) {
-  using M = TypeParam;
-  using T = typename M::scalar;
-  if constexpr (M::dof == 2 && M::brake_count == 2) {
-    for_random_cycles<M, 1>([&](const auto& cycle, random_source&) {
-      const auto without = cycle.alone();
-      const auto result = cycle.with(honey<M>(20));
-      const auto G = cycle.map();
-      const ph::vector<T, 2> n = ph::as<T>(cycle.touched[0].normal), along(-n[1], n[0]);
-      const ph::vector<T, 2> row = G.transpose() * n, free(-row[1], row[0]);  // n . G free = 0
-      const T gain = along.dot(G * free);
-      T low = -std::numeric_limits<T>::infinity(), high = -low;
-      for (int i = 0; i < 2; ++i) {
-        const T limit = cycle.brakes.torque_limit[i];
-        T a = result.signs[i] > 0 ? -limit : T(0), b = result.signs[i] > 0 ? T(0) : limit;
-        a = (a - without.torque[i]) / free[i];
-        b = (b - without.torque[i]) / free[i];
-        low = std::max(low, std::min(a, b));
-        high = std::min(high, std::max(a, b));
-      }
-      const T wanted = along.dot(result.effect_force - G * without.torque) / gain;
-      const T best = std::max(low, std::min(wanted, high));
-      const double size = static_cast<double>(1 + G.norm() * (without.torque.norm() + result.torque.norm()));
-      EXPECT_NEAR(along.dot(G * result.torque), along.dot(G * without.torque) + best * gain,
-                  1e4 * std::numeric_limits<T>::epsilon() * size);
-    });
-  }
-}
-
 // As effects fade, the torques become those without any: beside one wall, where drag is least by itself.
 TYPED_TEST(effects_in_a_cycle, fade_into_none) {
   using M = TypeParam;
   using T = typename M::scalar;
-  for_random_cycles<M, 1>([&](const auto& cycle, random_source&) {
+  for_random_cycles<M>(1, 1, [&](const auto& cycle, random_source&) {
     const auto without = cycle.alone();
     const double size = static_cast<double>(1 + without.torque.norm());
     const double loss = 1e3 * std::numeric_limits<T>::epsilon() * static_cast<double>(1 + cycle.map().norm());
@@ -262,21 +225,17 @@ TYPED_TEST(effects_in_a_cycle, fade_into_none) {
 // Neighbouring viscosities have neighbouring torques, through every change of what is at a bound.
 TYPED_TEST(effects_in_a_cycle, are_continuous_in_what_they_want) {
   using M = TypeParam;
-  if constexpr (std::is_same_v<typename M::scalar, double>) {
-    random_source random(seed);
-    for (int k = 0; k < 30; ++k) {
-      const random_cycle<M, 1> cycle(random, true);
-      ph::brake_vector<M> before = cycle.alone().torque;
-      for (int step = 1; step <= 200; ++step) {
-        const ph::brake_vector<M> now = cycle.with(honey<M>(0.1 * step)).torque;
-        const double v =
-            ph::task_vector<M>(ph::jacobian(cycle.mechanism, cycle.state.q) * cycle.state.qd).norm();
-        const auto singular = cycle.map();
-        const double steepest = 1 / std::max(1e-3, singular.col(0).norm());
-        ASSERT_LE((now - before).norm(), 0.1 * v * 50 * (1 + steepest))
-            << "seed " << seed << ", trial " << k << ", step " << step;
-        before = now;
-      }
+  random_source random(seed);
+  for (int k = 0; k < 10; ++k) {
+    const random_cycle<M> cycle(random, 1, true);
+    const double v = ph::task_vector<M>(ph::jacobian(cycle.mechanism, cycle.state.q) * cycle.state.qd).norm();
+    const double steepest = 1 / std::max(1e-3, cycle.map().col(0).norm());
+    ph::brake_vector<M> before = cycle.alone().torque;
+    for (int step = 1; step <= 200; ++step) {
+      const ph::brake_vector<M> now = cycle.with(honey<M>(0.1 * step)).torque;
+      ASSERT_LE((now - before).norm(), 0.1 * v * 5 * (1 + steepest))
+          << "seed " << seed << ", trial " << k << ", step " << step;
+      before = now;
     }
   }
 }

@@ -2,12 +2,9 @@
 // The forces that torques make, without assembling the map by hand; the nearest one within limits.
 #include "../../property/custom_mechanisms.hpp"
 
-#include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/force/forms/form_of.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
-#include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <gtest/gtest.h>
 
@@ -64,26 +61,8 @@ TEST(force_map, of_redundant_brakes_is_one_call) {
   EXPECT_TRUE(map.P.isZero(0));
 }
 
-TEST(nearest_torque, takes_a_diagonal_matrix) {
-  const ph::diagonal_matrix<double, 2> G(2, 0.5);
-  const ph::vector<double, 2> s(-1, 1), Fd(1, 1), limit(0.25, 3);
-  EXPECT_EQ(ph::nearest_torque(G, s, Fd).torque, (ph::vector<double, 2>(0.5, 0)));
-  EXPECT_EQ(ph::nearest_torque(G, ph::torques_within(s, limit), Fd).torque, (ph::vector<double, 2>(0.25, 0)));
-}
-
 TEST(velocity, is_that_of_the_brakes_through_E) {
   const ph::vector<double, 3> qd(0.3, -0.2, 0.5);
   EXPECT_EQ(ph::velocity(three_joints, pose, qd), ph::jacobian(three_joints, pose) * qd);
   EXPECT_EQ(ph::velocity(ph::xy_table<double>(), {0, 0}, {0.1, 0.2}), (ph::vector<double, 2>(0.1, 0.2)));
-}
-
-TEST(unlimited_brake_parameters, have_dead_bands_and_no_limit) {
-  using table = ph::xy_table<double>;
-  const ph::unlimited_brake_parameters<double, 2> brakes;
-  static_assert(ph::BrakesFor<decltype(brakes), table> && ph::StickingBrakes<decltype(brakes), double, 2>);
-  ph::controller control(table(), brakes, ph::scene(ph::wall(ph::half_space<2>({0, 1e-3}, {0, 1}), 1e7)),
-                         ph::direct_control());
-  const auto result =
-      control(ph::device_state<table>{.time = 0, .q = {0, 0}, .qd = {0, -0.1}, .hand_force = {0, -1}});
-  EXPECT_NEAR(result.capacity[1], 1e4, 1e-6);
 }

@@ -1,5 +1,7 @@
 // slow
 // Brakes of arms with self-motion that are off or work one way: a brake that is off is one that is left out.
+#include "arm_of_rods.hpp"
+
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
@@ -11,16 +13,13 @@
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
-#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <type_traits>
 #include <utility>
 
@@ -29,21 +28,6 @@ namespace ph = passive_haptics;
 namespace {
 
 constexpr unsigned seed_of_brakes_off = 20040627;
-
-template <int N>
-using chain = ph::serial_chain_with_inertia<double, N, 2>;
-
-template <int N>
-chain<N> arm_of_rods() {
-  std::array<double, N> lengths;
-  lengths.fill(0.15);
-  ph::serial_chain_inertia<double, N, 2> inertia;
-  for (int i = 0; i < N; ++i)
-    inertia.links[std::size_t(i)] = ph::uniform_rod<double, 2>(0.2, {0.15 * i, 0}, {0.15 * (i + 1), 0});
-  inertia.rotor_inertia.setConstant(1e-4);
-  inertia.handle_mass = 0.1;
-  return chain<N>(ph::planar_arm<double>(lengths), inertia);
-}
 
 // Numbers from 0 to N - 1 but Off.
 template <int N, int Off>
@@ -99,7 +83,7 @@ template <int Walls, int N, int Off>
 void expect_as_without() {
   SCOPED_TRACE(::testing::Message() << "seed " << seed_of_brakes_off << ", brake " << Off << " of " << N
                                     << " is off");
-  const auto arm = arm_of_rods<N>();
+  const auto arm = arms::of_rods<N>();
   const auto light = without<N, Off>::of(arm);
   using M = std::remove_cvref_t<decltype(arm)>;
   using L = std::remove_cvref_t<decltype(light)>;
@@ -110,8 +94,7 @@ void expect_as_without() {
   left.torque_limit.setConstant(2);
   ph::testing::random_source random(seed_of_brakes_off);
   int displayed = 0;
-  double worst = 0, worst_torque = 0;
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 300; ++k) {
     const case_of<M, Walls> c(arm, random);
     ph::step_memory<ph::direct_control> memory, memory_of_light;
     const auto some = ph::step(arm, brakes, c.touched, ph::direct_control(), c.state, memory);
@@ -123,41 +106,23 @@ void expect_as_without() {
     ASSERT_EQ(some.torque[Off], 0.0);
     ASSERT_EQ(some.cone_coefficients[Off], 0.0);
     displayed += ph::is_displayed(some.display) ? 1 : 0;
-    worst = std::max(
-        worst, (some.control_force - all.control_force).norm() / std::max(1.0, all.control_force.norm()));
-    worst_torque = std::max(worst_torque,
-                            (without<N, Off>::of_vector(some.capacity) - all.capacity).cwiseAbs().maxCoeff());
+    ASSERT_LT((some.control_force - all.control_force).norm(),
+              1e-12 * std::max(1.0, all.control_force.norm()));
+    ASSERT_LT((without<N, Off>::of_vector(some.capacity) - all.capacity).norm(), 1e-11);
   }
-  std::printf("%d brakes, %d off, %d walls: %d of 1000 displayed, worst %g, %g N m\n", N, Off, Walls,
-              displayed, worst, worst_torque);
-  EXPECT_LT(worst, 1e-12);
-  EXPECT_LT(worst_torque, 1e-11);
-  EXPECT_GT(displayed, 50);
+  EXPECT_GT(displayed, 15);
 }
 
-TEST(settled_brakes_off, three_joints_have_the_force_of_an_arm_without_this_brake) {
-  expect_as_without<1, 3, 0>();
+TEST(settled_brakes_off, have_the_force_of_an_arm_without_this_brake) {
   expect_as_without<1, 3, 1>();
-  expect_as_without<1, 3, 2>();
-}
-
-TEST(settled_brakes_off, four_joints_have_the_force_of_an_arm_without_this_brake) {
-  expect_as_without<1, 4, 0>();
-  expect_as_without<1, 4, 1>();
-  expect_as_without<1, 4, 2>();
   expect_as_without<1, 4, 3>();
-}
-
-TEST(settled_brakes_off, two_walls_have_the_force_of_an_arm_without_this_brake) {
-  expect_as_without<2, 3, 0>();
-  expect_as_without<2, 3, 2>();
-  expect_as_without<2, 4, 1>();
+  expect_as_without<2, 4, 0>();
 }
 
 // A limit of 0 is no brake for displayable().
 template <int N, int Off>
 void expect_displayable_without() {
-  const auto arm = arm_of_rods<N>();
+  const auto arm = arms::of_rods<N>();
   const auto light = without<N, Off>::of(arm);
   using M = std::remove_cvref_t<decltype(arm)>;
   using L = std::remove_cvref_t<decltype(light)>;
@@ -165,7 +130,7 @@ void expect_displayable_without() {
   limit[Off] = 0;
   ph::testing::random_source random(seed_of_brakes_off);
   int displayed = 0;
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 200; ++k) {
     SCOPED_TRACE(::testing::Message()
                  << "seed " << seed_of_brakes_off << ", case " << k << ", brake " << Off);
     const auto q = random.normal_vector<double, N>();
@@ -182,11 +147,10 @@ void expect_displayable_without() {
     ASSERT_NEAR(some.max_approximated_force, all.max_approximated_force,
                 1e-9 * (1 + all.max_approximated_force));
   }
-  EXPECT_GT(displayed, 50);
+  EXPECT_GT(displayed, 15);
 }
 
 TEST(settled_brakes_off, a_limit_of_zero_is_off_for_displayable) {
-  expect_displayable_without<3, 0>();
   expect_displayable_without<3, 1>();
   expect_displayable_without<4, 3>();
 }
@@ -233,12 +197,12 @@ void expect_within_their_intervals(const ph::switchable_brakes<M>& brakes, const
 
 template <class L, int N>
 void expect_no_torque_beyond() {
-  const auto arm = arm_of_rods<N>();
+  const auto arm = arms::of_rods<N>();
   using M = std::remove_cvref_t<decltype(arm)>;
   ph::testing::random_source random(seed_of_brakes_off);
   int works = 0;
   constexpr int walls = ph::saturates_before_scaling<L> ? 1 : 2;
-  for (int run = 0; run < 300; ++run) {
+  for (int run = 0; run < 100; ++run) {
     ph::step_memory<L> memory;
     case_of<M, walls> c(arm, random);
     if (random.coin()) {
@@ -260,68 +224,53 @@ void expect_no_torque_beyond() {
       works += (result.capacity.array() > 0).any() ? 1 : 0;
     }
   }
-  std::printf("%d joints: %d of 1200 cycles command something\n", N, works);
-  EXPECT_GT(works, 200);
+  EXPECT_GT(works, 60);
 }
 
 TEST(settled_brakes_off, no_law_commands_a_torque_beyond_an_interval) {
-  expect_no_torque_beyond<ph::direct_control, 3>();
   expect_no_torque_beyond<ph::direct_control, 4>();
   expect_no_torque_beyond<ph::saturated_direct_control, 3>();
-  expect_no_torque_beyond<ph::saturated_direct_control, 4>();
-  expect_no_torque_beyond<ph::velocity_direct_control, 3>();
   expect_no_torque_beyond<ph::velocity_direct_control, 4>();
   expect_no_torque_beyond<ph::on_off_control, 3>();
 }
 
 // What is displayed is made by torques of the intervals: with T = 1, J^T Fc = t, also of one-way brakes that
 // come to rest.
-template <int N>
-void expect_torques_make_the_force() {
-  const auto arm = arm_of_rods<N>();
+TEST(settled_brakes_off, one_way_brakes_at_rest_hold_only_their_way) {
+  const auto arm = arms::of_rods<4>();
   using M = std::remove_cvref_t<decltype(arm)>;
   ph::testing::random_source random(seed_of_brakes_off);
   int displayed = 0, one_way_at_rest = 0;
-  double worst = 0;
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed_of_brakes_off << ", case " << k);
     const case_of<M, 1> c(arm, random);
-    const auto brakes = random_intervals<M>(random);
     ph::step_memory<ph::direct_control> memory;
-    const auto result = ph::step(arm, brakes, c.touched, ph::direct_control(), c.state, memory);
+    const auto result =
+        ph::step(arm, random_intervals<M>(random), c.touched, ph::direct_control(), c.state, memory);
     if (!ph::is_displayed(result.display)) continue;
     ++displayed;
     const ph::joint_vector<M> t = ph::jacobian(arm, c.state.q).transpose() * result.control_force;
-    worst = std::max(worst, (t - result.cone_coefficients).norm() / result.control_force.norm());
-    for (int i = 0; i < N; ++i)
-      if (ph::contains(memory.start.held, i) && result.settled_signs[i] != 0) ++one_way_at_rest;
+    ASSERT_LT((t - result.cone_coefficients).norm(), 1e-11 * result.control_force.norm());
+    for (int i = 0; i < M::brake_count; ++i)
+      one_way_at_rest += ph::contains(memory.start.held, i) && result.settled_signs[i] != 0;
   }
-  std::printf("%d joints: %d of 3000 displayed, %d one-way brakes at rest, worst %g m\n", N, displayed,
-              one_way_at_rest, worst);
-  EXPECT_LT(worst, 1e-11);
-  EXPECT_GT(displayed, 300);
-  EXPECT_GT(one_way_at_rest, 50);
-}
-
-TEST(settled_brakes_off, one_way_brakes_at_rest_hold_their_way_alone) {
-  expect_torques_make_the_force<3>();
-  expect_torques_make_the_force<4>();
+  EXPECT_GT(displayed, 100);
+  EXPECT_GT(one_way_at_rest, 15);
 }
 
 // Intervals that cut nothing change nothing.
 TEST(settled_brakes_off, intervals_without_bounds_change_no_bit) {
-  const auto arm = arm_of_rods<3>();
+  const auto arm = arms::of_rods<3>();
   using M = std::remove_cvref_t<decltype(arm)>;
-  ph::testing::random_source random(seed_of_brakes_off);
   const ph::brakes_of<M> plain;
   const ph::switchable_brakes<M> open = plain;
-  for (int k = 0; k < 500; ++k) {
-    const case_of<M, 2> c(arm, random);
+  ph::testing::random_source random(seed_of_brakes_off);
+  for (int k = 0; k < 100; ++k) {
+    const case_of<M, 1> c(arm, random);
     ph::step_memory<ph::direct_control> first, second;
     const auto a = ph::step(arm, plain, c.touched, ph::direct_control(), c.state, first);
     const auto b = ph::step(arm, open, c.touched, ph::direct_control(), c.state, second);
     ASSERT_EQ(a.display, b.display);
-    ASSERT_EQ(a.capacity, b.capacity);
     ASSERT_EQ(a.torque, b.torque);
     ASSERT_EQ(a.control_force, b.control_force);
   }
@@ -329,11 +278,11 @@ TEST(settled_brakes_off, intervals_without_bounds_change_no_bit) {
 
 // A wall and a field: the brake that is off stays so.
 TEST(settled_brakes_off, effects_do_not_command_it) {
-  const auto arm = arm_of_rods<4>();
+  const auto arm = arms::of_rods<4>();
   using M = std::remove_cvref_t<decltype(arm)>;
   ph::testing::random_source random(seed_of_brakes_off);
   int works = 0;
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 100; ++k) {
     const case_of<M, 1> c(arm, random);
     const ph::point<2> x = arm.position(c.state.q), n = c.touched[0].normal;
     const auto scene = ph::with_effects(
@@ -347,7 +296,7 @@ TEST(settled_brakes_off, effects_do_not_command_it) {
     ASSERT_EQ(result.capacity[k % 4], 0.0);
     works += (result.capacity.array() > 0).any() ? 1 : 0;
   }
-  EXPECT_GT(works, 100);
+  EXPECT_GT(works, 30);
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 // slow
 // Several walls at an arm whose self-motion settles: the best set of brakes at rest, and a hand in a corner.
+#include "arm_of_rods.hpp"
+
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
-#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -23,20 +24,7 @@ namespace ph = passive_haptics;
 
 namespace {
 
-template <int N>
-using arm = ph::serial_chain_with_inertia<double, N, 2>;
-
-template <int N>
-arm<N> planar_arm() {
-  std::array<double, N> lengths;
-  lengths.fill(0.12);
-  ph::serial_chain_inertia<double, N, 2> inertia;
-  for (int i = 0; i < N; ++i)
-    inertia.links[std::size_t(i)] = ph::uniform_rod<double, 2>(0.15, {0.12 * i, 0}, {0.12 * (i + 1), 0});
-  inertia.rotor_inertia.setConstant(1e-4);
-  inertia.handle_mass = 0.1;
-  return arm<N>(ph::planar_arm<double>(lengths), inertia);
-}
+using arms::arm, arms::of_rods;
 
 template <class M>
 struct two_walls {
@@ -87,7 +75,7 @@ template <class M>
 void expect_best_set(const M& mechanism) {
   ph::testing::random_source random(20040627);
   int met = 0, unmet = 0;
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 200; ++k) {
     SCOPED_TRACE(::testing::Message() << "seed 20040627, state " << k);
     const auto walls = random_walls(mechanism, random);
     ph::step_memory<ph::direct_control> memory;
@@ -128,15 +116,13 @@ void expect_best_set(const M& mechanism) {
     ASSERT_LE(left[1], least[1] + 1e-6 * (1 + wanted));
     ++(left[0] + left[1] < 1e-6 * (1 + wanted) ? met : unmet);
   }
-  std::printf("met %d, not met %d\n", met, unmet);
-  EXPECT_GT(met, 20);
-  EXPECT_GT(unmet, 50);
+  EXPECT_GT(met, 8);
+  EXPECT_GT(unmet, 20);
 }
 
 TEST(settled_walls, are_met_by_the_best_set_of_brakes_at_rest) {
-  expect_best_set(planar_arm<3>());
-  expect_best_set(planar_arm<4>());
-  expect_best_set(ph::braked_joints<arm<4>, 0, 2, 3>(planar_arm<4>()));
+  expect_best_set(of_rods<3>());
+  expect_best_set(ph::braked_joints<arm<4>, 0, 2, 3>(of_rods<4>()));
 }
 
 // A hand pushes with 2 N into a corner of two walls at right angles; a moment later it pulls out of one.
@@ -167,37 +153,32 @@ void expect_corner_held(const M& mechanism, const ph::joint_vector<M>& q) {
     at_the_end = device.position();
     if (!pulls) max_depth = std::max({max_depth, -floor.distance(at_the_end), -side.distance(at_the_end)});
   }
-  std::printf("deepest %.2f mm, out of the side by %.1f mm, %.1f mm in the floor, power %.1e W\n",
-              max_depth * 1e3, side.distance(at_the_end) * 1e3, -floor.distance(at_the_end) * 1e3, power);
   EXPECT_LT(max_depth, 8e-3);
   EXPECT_GT(side.distance(at_the_end), 5e-3) << "a hand that pulls out of one wall is free";
   EXPECT_LT(-floor.distance(at_the_end), 8e-3);
   EXPECT_LT(power, 1e-15);
 }
 
-TEST(settled_walls, hold_a_hand_in_a_corner) {
-  expect_corner_held(planar_arm<3>(), {0.4, 0.9, 0.7});
-  expect_corner_held(planar_arm<4>(), {0.4, 0.7, 0.6, 0.5});
-}
+TEST(settled_walls, hold_a_hand_in_a_corner) { expect_corner_held(of_rods<4>(), {0.4, 0.7, 0.6, 0.5}); }
 
 // 10 mm deep in the floor, 1 mm off the side, the hand pulls out of the floor along the side.
 TEST(settled_walls, let_a_hand_leave_a_wall_beside_another_one) {
-  const auto mechanism = planar_arm<3>();
-  const ph::joint_vector<arm<3>> q{0.4, 0.9, 0.7};
+  const auto mechanism = of_rods<4>();
+  const ph::joint_vector<arm<4>> q{0.4, 0.7, 0.6, 0.5};
   const ph::point<2> x = mechanism.position(q);
   const ph::half_space<2> floor(x + ph::point<2>(0, 10e-3), {0, 1}), side(x - ph::point<2>(1e-3, 0), {1, 0});
-  ph::brakes_of<arm<3>> brakes;
+  ph::brakes_of<arm<4>> brakes;
   ph::controller control(mechanism, brakes, ph::scene(ph::wall(floor, 1e6), ph::wall(side, 1e6)),
                          ph::velocity_direct_control());
-  const ph::jacobian_matrix<arm<3>> J(ph::jacobian(mechanism, q));
-  const ph::joint_vector<arm<3>> qd =
+  const ph::jacobian_matrix<arm<4>> J(ph::jacobian(mechanism, q));
+  const ph::joint_vector<arm<4>> qd =
       J.transpose() * ph::matrix<double, 2, 2>(J * J.transpose()).inverse() * ph::vector<double, 2>(0, 0.03);
-  EXPECT_EQ(control(ph::device_state<arm<3>>{0, q, qd, {-0.5, 1}}).capacity.maxCoeff(), 0);
+  EXPECT_EQ(control(ph::device_state<arm<4>>{0, q, qd, {-0.5, 1}}).capacity.maxCoeff(), 0);
 }
 
 // A flick along the floor, towards a side 30 mm away, that ends halfway: the sensor reads nothing then.
 TEST(settled_walls, stop_a_hand_that_coasts_into_a_corner) {
-  const auto mechanism = planar_arm<4>();
+  const auto mechanism = of_rods<4>();
   const ph::joint_vector<arm<4>> q{0.4, 0.7, 0.6, 0.5};
   const ph::point<2> x = mechanism.position(q);
   const ph::half_space<2> floor(x - ph::point<2>(0, 0.2e-3), {0, 1}),

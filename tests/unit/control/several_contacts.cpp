@@ -1,7 +1,6 @@
 // Several walls at once in a whole step: what the law wants of each, and what is reported of it.
 #include "../support.hpp"
 
-#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
@@ -18,21 +17,16 @@ namespace {
 
 constexpr unsigned seed = 20040627;
 
-template <class T>
-struct several_contacts : ::testing::Test {};
-TYPED_TEST_SUITE(several_contacts, scalars);
-
 // (12) for each wall by its own relative velocity; a wall that asks for nothing wants nothing.
-TYPED_TEST(several_contacts, each_want_what_the_law_says_of_them) {
-  using T = TypeParam;
-  using M = ph::tendon_two_link<T>;
+TEST(several_contacts, each_want_what_the_law_says_of_them) {
+  using M = ph::tendon_two_link<double>;
   ph::testing::random_source random(seed);
   const M arm;
   int left = 0, pressed = 0, kept = 0;
-  for (int k = 0; k < 1000; ++k) {
-    const auto state = state_of<M>({random.uniform(T(-3), T(3)), random.uniform(T(0.3), T(2.8))},
-                                   {random.wide(T(0.1), T(3)), random.wide(T(0.1), T(3))},
-                                   ph::vector<T, 2>(T(5) * random.direction<T, 2>()));
+  for (int k = 0; k < 300; ++k) {
+    const auto state = state_of<M>({random.uniform(-3.0, 3.0), random.uniform(0.3, 2.8)},
+                                   {random.wide(0.1, 3.0), random.wide(0.1, 3.0)},
+                                   ph::vector<double, 2>(5 * random.direction<double, 2>()));
     ph::contact<2> walls[2];
     for (int j = 0; j < 2; ++j) {
       walls[j] = asking_for<2>(random.positive(1.0, 20.0) * random.direction<double, 2>());
@@ -49,15 +43,15 @@ TYPED_TEST(several_contacts, each_want_what_the_law_says_of_them) {
     const auto direct = step(ph::direct_control{}), plain = step(ph::no_direct_control{});
     ASSERT_EQ(direct.outcome, ph::status::ok);
     ASSERT_EQ(direct.contact_count, k % 5 == 0 ? 1 : 2);
-    const ph::point<2> v = (ph::jacobian(arm, state.q) * state.qd).template cast<double>();
-    const ph::point<2> hand = state.hand_force.template cast<double>();
+    const ph::point<2> v = ph::jacobian(arm, state.q) * state.qd;
+    const ph::point<2> hand = state.hand_force;
     for (int j = 0, at = 0; j < 2; ++j) {
       const double force = walls[j].stiffness * walls[j].depth, pressing = -walls[j].normal.dot(hand);
       const bool leaves = walls[j].normal.dot(v - walls[j].wall_velocity) > 0;
       if (force <= 0) continue;
       const double given = leaves ? std::clamp(pressing, 0.0, force) : force;
-      const auto& report = direct.contacts[static_cast<std::size_t>(at)];
-      const auto& other = plain.contacts[static_cast<std::size_t>(at++)];
+      const auto& report = direct.contacts[std::size_t(at)];
+      const auto& other = plain.contacts[std::size_t(at++)];
       EXPECT_NEAR(report.wanted, given, 1e-5) << "seed " << seed << ", trial " << k;
       EXPECT_NEAR(other.wanted, force, 1e-5) << "seed " << seed << ", trial " << k;
       EXPECT_EQ(report.has_priority, leaves) << "seed " << seed << ", trial " << k;
@@ -68,9 +62,9 @@ TYPED_TEST(several_contacts, each_want_what_the_law_says_of_them) {
       kept += leaves && given > 0;
     }
   }
-  EXPECT_GT(left, 300);
-  EXPECT_GT(pressed, 300);
-  EXPECT_GT(kept, 100);
+  EXPECT_GT(left, 90);
+  EXPECT_GT(pressed, 90);
+  EXPECT_GT(kept, 30);
 }
 
 // Half of what a wall asks for; may not be asked where that is nothing.
@@ -82,13 +76,12 @@ struct half_of_what_asks {
 };
 
 // Three walls of which one asks for nothing are the other two, and its law is not asked.
-TYPED_TEST(several_contacts, are_those_that_ask_for_a_force) {
-  using T = TypeParam;
-  using M = ph::tendon_two_link<T>;
+TEST(several_contacts, are_those_that_ask_for_a_force) {
+  using M = ph::tendon_two_link<double>;
   ph::testing::random_source random(seed);
-  for (int k = 0; k < 1000; ++k) {
-    const auto state = state_of<M>({random.uniform(T(-3), T(3)), random.uniform(T(0.3), T(2.8))},
-                                   {random.wide(T(0.1), T(3)), random.wide(T(0.1), T(3))});
+  for (int k = 0; k < 300; ++k) {
+    const auto state = state_of<M>({random.uniform(-3.0, 3.0), random.uniform(0.3, 2.8)},
+                                   {random.wide(0.1, 3.0), random.wide(0.1, 3.0)});
     ph::contact<2> walls[3];
     for (auto& wall : walls) wall = asking_for<2>(random.positive(1.0, 20.0) * random.direction<double, 2>());
     walls[k % 3].depth *= k % 2 == 0 ? 0 : -1;
@@ -176,22 +169,20 @@ void expect_reports_of_each() {
 }
 
 TEST(corner, reports_each_touched_wall_under_every_law) {
-  expect_reports_of_each<ph::no_direct_control, ph::direct_control, ph::velocity_direct_control,
-                         ph::on_off_control, strong_torques>();
+  expect_reports_of_each<ph::direct_control, ph::velocity_direct_control, strong_torques>();
 }
 
 // The limits hold, and that one is reached is said.
-TYPED_TEST(several_contacts, stay_within_the_limits_and_say_where_they_end) {
-  using T = TypeParam;
-  using M = ph::xy_table<T>;
+TEST(several_contacts, stay_within_the_limits_and_say_where_they_end) {
+  using M = ph::xy_table<double>;
   ph::brakes_of<M> brakes;
-  brakes.torque_limit = {T(5), T(5)};
+  brakes.torque_limit = {5, 5};
   const auto state = state_of<M>({0, 0}, {-1, -1});
   const auto step = [&](double x, double y) {
     return step_once<ph::no_direct_control>(M(), brakes, state, asking_for<2>({x, 0}), asking_for<2>({0, y}));
   };
   EXPECT_FALSE(step(4, 3).saturated);
-  expect_near(step(4, 3).capacity, ph::vector<T, 2>(4, 3), 5);
+  expect_near(step(4, 3).capacity, ph::vector<double, 2>(4, 3), 5);
   for (const auto& result : {step(7, 3), step(3, 7), step(7, 7)}) {
     EXPECT_TRUE(result.saturated);
     EXPECT_TRUE((result.capacity.array() <= brakes.torque_limit.array()).all());
@@ -199,90 +190,56 @@ TYPED_TEST(several_contacts, stay_within_the_limits_and_say_where_they_end) {
 }
 
 // Brakes push against their motion alone: out of both walls, out of one, out of none.
-TYPED_TEST(several_contacts, say_whether_each_gets_what_it_asks_for) {
-  using T = TypeParam;
-  using M = ph::xy_table<T>;
-  const auto display = [](const ph::vector<T, 2>& v) {
+TEST(several_contacts, say_whether_each_gets_what_it_asks_for) {
+  using M = ph::xy_table<double>;
+  const auto display = [](const ph::vector<double, 2>& v) {
     return step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 0}, v), asking_for<2>({4, 0}),
                                             asking_for<2>({0, 3}))
         .display;
   };
   EXPECT_EQ(display({-1, -1}), ph::display_class::exact);
   EXPECT_EQ(display({-1, 1}), ph::display_class::approximate);
-  EXPECT_EQ(display({1, -1}), ph::display_class::approximate);
   EXPECT_EQ(display({1, 1}), ph::display_class::none);
 }
 
-// The angle between the force that two walls get together and the wall that asks for most.
-TYPED_TEST(several_contacts, tell_the_angle_of_their_force_to_the_wall_that_asks_for_most) {
-  using T = TypeParam;
-  using M = ph::xy_table<T>;
-  const auto result = step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 0}, {-1, -1}),
-                                                       asking_for<2>({4, 0}), asking_for<2>({0, 3}));
-  EXPECT_NEAR(result.approximation_cosine, T(0.8), 4 * std::numeric_limits<T>::epsilon());
-}
-
-// Also where the elbow is all but straight, and rounding decides what brakes can do.
-TYPED_TEST(several_contacts, tell_the_angle_of_the_force_that_they_tell) {
-  using T = TypeParam;
-  using M = ph::tendon_two_link<T>;
+// The angle to the wall that demands most, also where the elbow is all but straight and rounding decides what
+// brakes can do.
+TEST(several_contacts, tell_the_angle_of_the_force_that_they_tell) {
+  using M = ph::tendon_two_link<double>;
   ph::testing::random_source random(seed);
   int displayed = 0;
-  for (int k = 0; k < 4000; ++k) {
-    const auto state = state_of<M>({random.uniform(T(-3), T(3)), random.wide(T(1e-17), T(1e-3))},
-                                   {random.wide(T(0.1), T(3)), random.wide(T(0.1), T(3))});
+  for (int k = 0; k < 1000; ++k) {
+    const auto state = state_of<M>({random.uniform(-3.0, 3.0), random.wide(1e-17, 1e-3)},
+                                   {random.wide(0.1, 3.0), random.wide(0.1, 3.0)});
     const auto a = asking_for<2>(random.positive(10.0, 20.0) * random.direction<double, 2>());
     const auto result = step_once<ph::no_direct_control>(
         M(), {}, state, a, asking_for<2>(random.positive(1.0, 9.0) * random.direction<double, 2>()));
     if (result.outcome != ph::status::ok || !ph::is_displayed(result.display)) continue;
     ++displayed;
-    const ph::vector<T, 2> F = result.control_force;
-    const T cosine = F.dot(ph::as<T>(a.normal)) / F.stableNorm();
-    ASSERT_NEAR(result.approximation_cosine, std::max(cosine, T(0)),
-                T(1e3) * std::numeric_limits<T>::epsilon())
+    const ph::vector<double, 2> F = result.control_force;
+    const double cosine = F.dot(ph::as<double>(a.normal)) / F.stableNorm();
+    ASSERT_NEAR(result.approximation_cosine, std::max(cosine, 0.0),
+                1e3 * std::numeric_limits<double>::epsilon())
         << "seed " << seed << ", trial " << k;
   }
-  EXPECT_GT(displayed, 1000);
-}
-
-// A law that answers what it was made with.
-struct scale_of {
-  double value = 0;
-  template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&) const noexcept {
-    return static_cast<T>(value);
-  }
-};
-
-TYPED_TEST(several_contacts, release_the_brakes_where_a_scale_is_outside_zero_and_one) {
-  using M = ph::xy_table<TypeParam>;
-  ph::contacts<2, 2> touched;
-  touched.push_back(asking_for<2>({1, 0}));
-  touched.push_back(asking_for<2>({0, 2}));
-  for (const double value : {-0.1, 1.001, std::numeric_limits<double>::quiet_NaN(), 0.5}) {
-    ph::step_memory<scale_of> memory;
-    const auto result =
-        ph::step(M(), ph::brakes_of<M>(), touched, scale_of{value}, state_of<M>({0, 0}, {-1, -1}), memory);
-    EXPECT_EQ(result.outcome, value == 0.5 ? ph::status::ok : ph::status::scale_out_of_range) << value;
-    EXPECT_EQ(result.capacity.isZero(0), value != 0.5) << value;
-  }
+  EXPECT_GT(displayed, 250);
 }
 
 // A pose without a Jacobian, and a rate that overflows on its way to the brakes: by the law of torques, too.
-TYPED_TEST(several_contacts, release_the_brakes_where_pose_or_rates_are_undefined) {
-  using T = TypeParam;
-  using arm = ph::tendon_two_link<T>;
-  const T most = std::numeric_limits<T>::max();  // w2 = qd1 + qd2 / 0.4
+TEST(several_contacts, release_the_brakes_where_pose_or_rates_are_undefined) {
+  using arm = ph::tendon_two_link<double>;
+  const double most = std::numeric_limits<double>::max();  // w2 = qd1 + qd2 / 0.4
   const auto expect_none = [](const auto& result) {
     EXPECT_EQ(result.outcome, ph::status::pose_undefined);
     EXPECT_TRUE(result.capacity.isZero(0) && result.torque.isZero(0));
   };
   const auto a = asking_for<2>({1, 0}), b = asking_for<2>({0, 2});
-  const auto nowhere = state_of<hyperbola<T>>({0, 1}, {1, 1});
+  const auto nowhere = state_of<hyperbola<double>>({0, 1}, {1, 1});
   const auto too_fast = state_of<arm>({2, -1}, {0, most});
-  expect_none(step_once<ph::no_direct_control>(hyperbola<T>(), {}, nowhere, a, b));
-  expect_none(step_once<strong_torques>(hyperbola<T>(), {}, nowhere, a));
-  expect_none(step_once<strong_torques>(hyperbola<T>(), {}, nowhere, a, b));
+  expect_none(step_once<ph::no_direct_control>(hyperbola<double>(), {}, nowhere, a, b));
+  expect_none(step_once<strong_torques>(hyperbola<double>(), {}, nowhere, a));
+  expect_none(step_once<strong_torques>(hyperbola<double>(), {}, nowhere, a, b));
+  expect_none(step_once<ph::no_direct_control>(arm(), {}, too_fast, a));
   expect_none(step_once<ph::no_direct_control>(arm(), {}, too_fast, a, b));
   expect_none(step_once<strong_torques>(arm(), {}, too_fast, b));
 }
@@ -320,7 +277,7 @@ TEST(opposed_walls, leave_an_angle_that_is_a_number) {
   using M = ph::tendon_two_link<double>;
   ph::testing::random_source random(seed);
   int displayed = 0;
-  for (int k = 0; k < 2000; ++k) {
+  for (int k = 0; k < 500; ++k) {
     const auto state = state_of<M>({random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)},
                                    random.normal_vector<double, 2>(), {random.normal<double>(), 1.0});
     const ph::vector<double, 2> n = random.direction<double, 2>();
@@ -331,5 +288,5 @@ TEST(opposed_walls, leave_an_angle_that_is_a_number) {
     ASSERT_FALSE(std::isnan(result.approximation_angle())) << "seed " << seed << ", trial " << k;
     displayed += ph::is_displayed(result.display);
   }
-  EXPECT_GT(displayed, 500);
+  EXPECT_GT(displayed, 120);
 }

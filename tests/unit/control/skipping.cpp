@@ -1,5 +1,5 @@
 // slow
-// What a cycle does not need, it does not do.
+// A cycle calls no function whose value it does not need.
 #include "../support.hpp"
 
 #include <Eigen/LU>
@@ -17,7 +17,7 @@
 namespace {
 
 struct calls {
-  int position = 0, jacobian = 0, transmission = 0, distance = 0, gradient = 0;
+  int position = 0, jacobian = 0, transmission = 0, distance = 0, gradient = 0, velocity = 0;
 };
 
 // The tendon device, but it counts the calls of its members.
@@ -54,6 +54,13 @@ struct counting_wall {
   ph::half_space<2> plane{{0, 0.225}, {0, -1}};
 };
 
+struct counting_conveyor : counting_wall {
+  ph::point<2> velocity(const ph::point<2>&) const {
+    ++count->velocity;
+    return {0, 0};
+  }
+};
+
 using state = ph::device_state<counting_arm>;
 using pair = ph::vector<double, 2>;
 
@@ -85,11 +92,15 @@ TEST_F(skipping, a_faulty_state_asks_nothing) {
   EXPECT_EQ(count.position + count.jacobian + count.transmission + count.distance, 0);
 }
 
-TEST_F(skipping, free_space_needs_one_position_and_one_distance) {
-  EXPECT_EQ(control(handle_at(0.2, {0.5, 0.5})).wall_number, -1);
+TEST_F(skipping, free_space_needs_one_position_and_a_distance_of_each_wall) {
+  const counting_wall wall{&count};
+  ph::controller two(counting_arm{&count}, ph::brakes_of<counting_arm>(),
+                     ph::scene(ph::wall(wall), ph::wall(counting_conveyor{wall})), ph::direct_control{});
+  count = {};
+  EXPECT_EQ(two(handle_at(0.2, {0.5, 0.5})).wall_number, -1);
   EXPECT_EQ(count.position, 1);
-  EXPECT_EQ(count.distance, 1);
-  EXPECT_EQ(count.jacobian + count.transmission + count.gradient, 0);
+  EXPECT_EQ(count.distance, 2);
+  EXPECT_EQ(count.jacobian + count.transmission + count.gradient + count.velocity, 0);
 }
 
 TEST_F(skipping, a_contact_needs_each_quantity_once) {
@@ -100,6 +111,21 @@ TEST_F(skipping, a_contact_needs_each_quantity_once) {
   EXPECT_EQ(count.gradient, 1);
   EXPECT_EQ(count.jacobian, 1);
   EXPECT_EQ(count.transmission, 1) << "for w";
+}
+
+TEST_F(skipping, a_second_wall_costs_its_distance_and_a_wall_that_can_move_its_velocity) {
+  counting_wall far{&count};
+  far.plane = ph::half_space<2>({-10, 0}, {1, 0});
+  ph::controller two(counting_arm{&count}, ph::unlimited_brakes(),
+                     ph::scene(ph::wall(counting_conveyor{{&count}}, 1e4), ph::wall(far)),
+                     ph::no_direct_control{});
+  count = {};
+  EXPECT_GT(two(handle_at(0.23, {0.5, 0.5})).capacity.norm(), 0);
+  EXPECT_EQ(count.position, 1);
+  EXPECT_EQ(count.distance, 2);
+  EXPECT_EQ(count.gradient, 1);
+  EXPECT_EQ(count.velocity, 1);
+  EXPECT_EQ(count.jacobian, 1);
 }
 
 TEST_F(skipping, an_exact_force_is_the_desired_one) {
@@ -152,92 +178,6 @@ TEST_F(skipping, a_held_scene_measures_no_distance_between_its_samples) {
   EXPECT_EQ(count.distance, 10);
   EXPECT_EQ(count.gradient, 10);
   EXPECT_EQ(count.jacobian, 500);
-}
-
-// The same device without the hints: dense matrices that depend on the pose.
-template <class T>
-struct dense_table {
-  using scalar = T;
-  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
-  ph::vector<T, 2> position(const ph::vector<T, 2>& q) const { return q; }
-  ph::matrix<T, 2, 2> jacobian(const ph::vector<T, 2>&) const { return ph::matrix<T, 2, 2>::Identity(); }
-};
-template <class T>
-struct diagonal_gears : ph::xy_table<T> {
-  ph::diagonal_matrix<T, 2> transmission() const { return ph::diagonal_matrix<T, 2>(T(4), T(-0.3)); }
-};
-template <class T>
-struct dense_gears : dense_table<T> {
-  ph::matrix<T, 2, 2> transmission(const ph::vector<T, 2>&) const {
-    return ph::matrix<T, 2, 2>{{T(4), T(0)}, {T(0), T(-0.3)}};
-  }
-};
-
-template <class Hinted, class Dense>
-void expect_twins() {
-  using T = typename Hinted::scalar;
-  ph::testing::random_source random(21);
-  int seen[3] = {};
-  for (int k = 0; k < 2000; ++k) {
-    const ph::vector<T, 2> q = random.normal_vector<T, 2>(), hand = random.normal_vector<T, 2>();
-    ph::vector<T, 2> qd = random.normal_vector<T, 2>();
-    if (k % 3 == 0) qd[k % 2] = T(0);
-    const ph::contact<2> wall{.normal = random.direction<double, 2>(), .depth = 1e-4, .stiffness = 1e4};
-    const auto a = step_once<ph::direct_control>(Hinted(), {}, state_of<Hinted>(q, qd, hand), wall);
-    const auto b = step_once<ph::direct_control>(Dense(), {}, state_of<Dense>(q, qd, hand), wall);
-    SCOPED_TRACE(::testing::Message() << "seed 21, trial " << k);
-    EXPECT_EQ(a.display, b.display);
-    EXPECT_EQ(a.power, b.power);
-    EXPECT_EQ(a.signs, b.signs);
-    EXPECT_EQ(a.saturated, b.saturated);
-    const double size =
-        1 / static_cast<double>(a.display == ph::display_class::none ? T(1) : a.approximation_cosine);
-    expect_near(a.capacity, b.capacity, size * size);
-    expect_near(a.torque, b.torque, size * size);
-    EXPECT_NEAR(a.alpha, b.alpha, ph::rounding_tolerance<T>(2));
-    ++seen[static_cast<int>(a.display)];
-  }
-  for (const int n : seen) EXPECT_GT(n, 0) << "a display class was not met";
-}
-
-template <class T>
-struct hints : ::testing::Test {};
-TYPED_TEST_SUITE(hints, scalars);
-
-TYPED_TEST(hints, a_diagonal_jacobian_changes_nothing_but_the_cost) {
-  expect_twins<ph::xy_table<TypeParam>, dense_table<TypeParam>>();
-}
-
-TYPED_TEST(hints, a_diagonal_transmission_changes_nothing_but_the_cost) {
-  expect_twins<diagonal_gears<TypeParam>, dense_gears<TypeParam>>();
-}
-
-// The account is all that command() leaves out.
-TEST(command, is_that_of_the_whole_cycle_and_its_warm_start) {
-  constexpr unsigned seed = 31;
-  using M = ph::tendon_two_link<double>;
-  const auto corner = ph::scene(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1}), 1e4),
-                                ph::wall(ph::half_space<2>({0.1, 0}, {-1, 0.2}), 1e3));
-  ph::controller whole(M(), ph::brakes_of<M>(), corner, ph::direct_control{});
-  ph::controller lean = whole;
-  ph::testing::random_source random(seed);
-  int in_contact = 0, faults = 0;
-  for (int k = 0; k < 10'000; ++k) {
-    ph::device_state<M> s;
-    s.time = 0;
-    s.q = M().inverse({random.uniform(0.05, 0.15), random.uniform(0.15, 0.21)}, ph::elbow::left).q;
-    s.qd = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
-    s.hand_force = {random.uniform(-1.0, 1.0), random.uniform(-3.0, 3.0)};
-    if (k % 100 == 0) s.qd[0] = std::numeric_limits<double>::quiet_NaN();
-    const auto expected = whole(s);
-    const auto got = lean.command(s);
-    ASSERT_EQ(got.outcome, expected.outcome) << "seed " << seed << ", state " << k;
-    ASSERT_EQ(got.capacity, expected.capacity) << "seed " << seed << ", state " << k;
-    in_contact += expected.capacity.isZero(0) ? 0 : 1;
-    faults += got.outcome == ph::status::ok ? 0 : 1;
-  }
-  EXPECT_GT(in_contact, 1000);
-  EXPECT_EQ(faults, 100);
 }
 
 }  // namespace

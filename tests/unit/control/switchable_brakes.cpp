@@ -1,7 +1,14 @@
 // Cycles of brakes that are off or work one way, under every law.
 #include "../support.hpp"
 
-#include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/saturated_direct_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <cmath>
@@ -21,21 +28,14 @@ void expect_within_intervals(const ph::switchable_brakes<M>& brakes, const ph::s
     SCOPED_TRACE(::testing::Message() << "brake " << i);
     const double lower = std::max(-brakes.torque_limit[i], brakes.torque_lower[i]),
                  upper = std::min(brakes.torque_limit[i], brakes.torque_upper[i]);
-    for (const double t : {result.torque[i], result.cone_coefficients[i]}) {
-      ASSERT_LE(result.signs[i] * t, 0.0);
-    }
+    ASSERT_LE(result.signs[i] * result.torque[i], 0.0);
+    ASSERT_LE(result.signs[i] * result.cone_coefficients[i], 0.0);
     ASSERT_GE(result.torque[i], lower);
     ASSERT_LE(result.torque[i], upper);
-    ASSERT_LE(result.capacity[i], std::max(-lower, upper));
     const bool slips = std::abs(w[i]) > brakes.rate_dead_band[i];
-    if (slips) {
-      ASSERT_LE(result.torque[i] * w[i], 0.0);
-      ASSERT_LE(result.capacity[i], w[i] > 0 ? -lower : upper) << "no capacity the other way";
-    }
-    if (lower == 0 && upper == 0) {
-      ASSERT_EQ(result.capacity[i], 0.0);
-      ASSERT_EQ(result.cone_coefficients[i], 0.0);
-    }
+    ASSERT_LE(result.capacity[i], !slips ? std::max(-lower, upper) : w[i] > 0 ? -lower : upper);
+    ASSERT_TRUE(!slips || result.torque[i] * w[i] <= 0);
+    ASSERT_TRUE(lower != 0 || upper != 0 || result.cone_coefficients[i] == 0);
   }
 }
 
@@ -102,7 +102,6 @@ void expect_no_torque_that_a_brake_cannot_make(const M& mechanism) {
 }
 
 TEST(switchable_brakes, make_no_torque_beyond_their_intervals_under_any_law) {
-  expect_no_torque_that_a_brake_cannot_make<ph::no_direct_control>(planar());
   expect_no_torque_that_a_brake_cannot_make<ph::direct_control>(planar());
   expect_no_torque_that_a_brake_cannot_make<ph::saturated_direct_control>(planar());
   expect_no_torque_that_a_brake_cannot_make<ph::velocity_direct_control>(planar());
@@ -110,11 +109,8 @@ TEST(switchable_brakes, make_no_torque_beyond_their_intervals_under_any_law) {
 }
 
 TEST(switchable_brakes, more_than_joints_make_no_torque_beyond_their_intervals_under_any_law) {
-  expect_no_torque_that_a_brake_cannot_make<ph::no_direct_control>(redundant());
   expect_no_torque_that_a_brake_cannot_make<ph::direct_control>(redundant());
-  expect_no_torque_that_a_brake_cannot_make<ph::saturated_direct_control>(redundant());
   expect_no_torque_that_a_brake_cannot_make<ph::velocity_direct_control>(redundant());
-  expect_no_torque_that_a_brake_cannot_make<ph::on_off_control>(redundant());
 }
 
 // Intervals that cut nothing.
@@ -142,79 +138,44 @@ void expect_the_cycle_of_brakes_without(const M& mechanism, const ph::vector<dou
 }
 
 TEST(switchable_brakes, that_are_all_on_are_brakes_without_an_interval_to_the_bit) {
-  expect_the_cycle_of_brakes_without<ph::direct_control>(planar(), {0.7, 1.1});
-  expect_the_cycle_of_brakes_without<ph::saturated_direct_control>(planar(), {0.7, 1.1});
   expect_the_cycle_of_brakes_without<ph::velocity_direct_control>(planar(), {0.7, 1.1});
-  expect_the_cycle_of_brakes_without<ph::direct_control>(ph::xy_table<double>(), {0, 0});
   expect_the_cycle_of_brakes_without<ph::direct_control>(redundant(), {2.0, 1.1});
-  expect_the_cycle_of_brakes_without<ph::velocity_direct_control>(redundant(), {2.0, 1.1});
 }
 
-// A brake of four is switched off while it holds a push into the wall.
-template <class L>
-void expect_the_others_to_take_over() {
+// 2 mm in a wall of 1 kN/m, whichever of four brakes is switched off while it holds the push, and on again.
+TEST(switchable_brakes, of_which_one_is_switched_off_while_it_holds_leave_its_force_to_the_others) {
   const redundant mechanism;
-  const ph::vector<double, 2> q(2.0, 1.1), x = mechanism.position(q);
-  const ph::brake_vector<redundant> two = ph::brake_vector<redundant>::Constant(2);
-  int held = 0, taken_over = 0;
+  const ph::vector<double, 2> q(2.0, 1.1);
+  const auto G = ph::force_generators(mechanism, q);
+  int taken_over = 0;
   for (int direction = 0; direction < 16; ++direction) {
     const double angle = 2 * 3.141592653589793 * direction / 16;
-    const ph::point<2> n(std::cos(angle), std::sin(angle));
-    const auto walls = ph::scene(ph::wall(ph::half_space<2>(x + 2e-3 * n, n), 1e5));
-    const auto G = ph::force_generators(mechanism, q);
-    const ph::vector<double, 2> v = -0.02 * n + 0.05 * ph::point<2>(-n[1], n[0]);
-    ph::device_state<redundant> state{0, q, mechanism.inverse_jacobian(q) * v, -3 * n};
-    const ph::brake_vector<redundant> w = ph::brake_rates(mechanism, q, state.qd);
+    const ph::point<2> n(std::cos(angle), std::sin(angle)), along(-n[1], n[0]), x = mechanism.position(q);
     for (int off = 0; off < 4; ++off) {
       SCOPED_TRACE(::testing::Message() << "direction " << direction << ", brake " << off);
+      ph::device_state<redundant> state{0, q, mechanism.inverse_jacobian(q) * (0.05 * along - 0.02 * n),
+                                        -3 * n};
       ph::switchable_brakes<redundant> brakes;
-      brakes.torque_limit = two;
-      ph::controller control(mechanism, brakes, walls, L());
-      ph::step_result<redundant> before;
-      for (int k = 0; k < 30; ++k) {
-        state.time = 1e-3 * k;
-        before = control(state);
-      }
-      ASSERT_EQ(before.outcome, ph::status::ok);
+      ph::controller control(mechanism, brakes, ph::scene(ph::wall(ph::half_space<2>(x + 2e-3 * n, n), 1e3)),
+                             ph::direct_control());
+      const auto next = [&] {
+        control.set_brakes(brakes);
+        const auto result = control(state);
+        EXPECT_NEAR((G * result.torque).dot(n), 2, 1e-9);
+        state.time += 1e-3;
+        return result.capacity;
+      };
+      const auto before = next();
       brakes.switch_off(off);
-      control.set_brakes(brakes);
-      state.time += 1e-3;
-      const auto after = control(state);
-      ASSERT_EQ(after.outcome, ph::status::ok);
-      ASSERT_EQ(after.capacity[off], 0.0);
-      ASSERT_EQ(after.torque[off], 0.0);
-      ASSERT_LE(after.torque.dot(w), 0.0);
-      ASSERT_GE((G * after.torque).dot(n), -1e-12) << "pulls into the wall";
-      if (before.capacity[off] == 0) {
-        if (ph::ScalingLaw<L>) {
-          ASSERT_EQ(after.capacity, before.capacity) << "what did nothing is not missed";
-        }
-        continue;
-      }
-      ++held;
-      // Whether one of the others alone pushes out
-      const bool can = [&] {
-        for (int i = 0; i < 4; ++i)
-          if (i != off && -after.signs[i] * G.col(i).dot(n) > 1e-3) return true;
-        return false;
-      }();
-      const bool do_take_over = (after.capacity.array() > 0).any();
-      ASSERT_EQ(do_take_over, can);
-      taken_over += do_take_over ? 1 : 0;
+      const auto after = next();
+      EXPECT_EQ(after[off], 0);
+      EXPECT_TRUE(before[off] > 0 || after == before) << "what did nothing is not missed";
       brakes.switch_on(off);
-      control.set_brakes(brakes);
-      state.time += 1e-3;
-      ASSERT_GT(control(state).capacity[off], 0.0) << "on again";
+      EXPECT_EQ(next(), before) << "on again";
+      taken_over += before[off] > 0;
     }
   }
-  EXPECT_GT(held, 10);
   EXPECT_GT(taken_over, 10);
-}
-
-TEST(switchable_brakes, of_which_one_is_switched_off_while_it_holds_leave_the_wall_to_the_others) {
-  expect_the_others_to_take_over<ph::no_direct_control>();
-  expect_the_others_to_take_over<ph::direct_control>();
-  expect_the_others_to_take_over<ph::velocity_direct_control>();
 }
 
 // A brake that would have to be cut to 0 after the projection is left out of it.
@@ -223,28 +184,24 @@ TEST(switchable_brakes, that_are_off_are_left_out_of_the_cone_not_of_the_command
   ph::testing::random_source random(11);
   ph::switchable_brakes<planar> brakes;
   brakes.switch_off(1);
-  int alone = 0, commanded = 0, inward_when_cut = 0;
-  for (int k = 0; k < 2000; ++k) {
-    const ph::vector<double, 2> q(random.uniform(-3.0, 3.0), random.uniform(0.4, 2.7));
+  int displayed = 0;
+  for (int k = 0; k < 500; ++k) {
     const ph::point<2> n = random.direction<double, 2>();
-    const ph::device_state<planar> state{0, q, random.normal_vector<double, 2>(), {0, 0}};
+    const auto state = state_of<planar>({random.uniform(-3.0, 3.0), random.uniform(0.4, 2.7)},
+                                        random.normal_vector<double, 2>());
     ph::contacts<2, 1> touched;
     touched.push_back({.normal = n, .depth = 1e-3, .stiffness = 1e3});
     ph::step_memory<ph::no_direct_control> memory;
     const auto result = ph::step(arm, brakes, touched, ph::no_direct_control(), state, memory);
     ASSERT_EQ(result.outcome, ph::status::ok);
     ASSERT_EQ(result.capacity[1], 0.0);
-    const auto G = ph::force_generators(arm, q);
-    ASSERT_GE((G * result.torque).dot(n), 0.0);
+    const auto G = ph::force_generators(arm, state.q);
+    ASSERT_GE((G * result.torque).dot(n), 0.0) << "a cut after the projection would pull in";
     const bool can = -result.signs[0] * G.col(0).dot(n) > 0.02 * G.col(0).norm();
-    alone += can ? 1 : 0;
-    commanded += can && result.capacity[0] > 0 ? 1 : 0;
-    const auto both = ph::step(arm, ph::brakes_of<planar>(), touched, ph::no_direct_control(), state, memory);
-    inward_when_cut += (G.col(0) * both.torque[0]).dot(n) < 0 ? 1 : 0;
+    ASSERT_TRUE(!can || result.capacity[0] > 0);
+    displayed += can;
   }
-  EXPECT_EQ(commanded, alone);
-  EXPECT_GT(alone, 500);
-  EXPECT_GT(inward_when_cut, 50) << "a cut after the projection would pull in";
+  EXPECT_GT(displayed, 120);
 }
 
 TEST(switchable_brakes, that_work_one_way_have_its_sign_at_rest) {

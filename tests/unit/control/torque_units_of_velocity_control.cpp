@@ -16,8 +16,8 @@ namespace {
 
 // A joint that turns, a slide on it and a tendon over both, each with a brake. The rates of the brakes of
 // slide and tendon are in `per_metre` to the metre, their torques in N / per_metre.
-template <int PerMetre>
 struct polar_arm_with_mass {
+  double per_metre;
   using scalar = double;
   static constexpr int dof = 2, task_dimension = 2, brake_count = 3;
   using joints = ph::vector<double, 2>;
@@ -27,7 +27,7 @@ struct polar_arm_with_mass {
     return {q[1] * cos(q[0]), q[1] * sin(q[0])};
   }
   ph::matrix<double, 3, 2> transmission() const {
-    return ph::matrix<double, 3, 2>{{1, 0}, {0, PerMetre}, {0.05 * PerMetre, PerMetre}};
+    return ph::matrix<double, 3, 2>{{1, 0}, {0, per_metre}, {0.05 * per_metre, per_metre}};
   }
   // A handle of 0.3 kg
   ph::matrix<double, 2, 2> mass_matrix(const joints& q) const {
@@ -42,12 +42,11 @@ struct polar_arm_with_mass {
   }
 };
 
-template <int PerMetre>
-ph::vector<double, 3> capacities(const ph::joint_vector<polar_arm_with_mass<PerMetre>>& q,
+ph::vector<double, 3> capacities(double per_metre, const ph::vector<double, 2>& q,
                                  const ph::vector<double, 2>& qd, const ph::vector<double, 2>& hand_force,
                                  const std::array<ph::point<2>, 2>& normals) {
-  using M = polar_arm_with_mass<PerMetre>;
-  const ph::vector<double, 3> unit(1, PerMetre, PerMetre), limit(0.5, 20, 5);
+  using M = polar_arm_with_mass;
+  const ph::vector<double, 3> unit(1, per_metre, per_metre), limit(0.5, 20, 5);
   ph::brakes_of<M> brakes;
   brakes.torque_limit = limit.cwiseQuotient(unit);
   brakes.rate_dead_band = 1e-3 * unit;
@@ -59,7 +58,7 @@ ph::vector<double, 3> capacities(const ph::joint_vector<polar_arm_with_mass<PerM
                        .wall_number = j,
                        .sensed_at = {0, 0}});
   ph::step_memory<ph::velocity_direct_control> memory;
-  const auto result = ph::step(M(), brakes, touched, ph::velocity_direct_control(),
+  const auto result = ph::step(M{per_metre}, brakes, touched, ph::velocity_direct_control(),
                                ph::device_state<M>{0, q, qd, hand_force}, memory);
   EXPECT_EQ(result.outcome, ph::status::ok);
   return result.capacity.cwiseProduct(unit);
@@ -68,19 +67,19 @@ ph::vector<double, 3> capacities(const ph::joint_vector<polar_arm_with_mass<PerM
 TEST(torque_units_of_velocity_control, are_those_of_the_limits) {
   ph::testing::random_source random(1);
   int all_brake = 0;
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 200; ++k) {
     const ph::vector<double, 2> q(random.uniform(-3.0, 3.0), random.uniform(0.1, 0.3)),
         qd = k % 2 == 0 ? ph::vector<double, 2>(0, 0)
                         : ph::vector<double, 2>(random.normal<double>(), 0.2 * random.normal<double>()),
         hand_force = random.normal_vector<double, 2>();
     const std::array normals{ph::point<2>(random.direction<double, 2>()),
                              ph::point<2>(random.direction<double, 2>())};
-    const auto t = capacities<1>(q, qd, hand_force, normals),
-               in_millimetres = capacities<1000>(q, qd, hand_force, normals);
+    const auto t = capacities(1, q, qd, hand_force, normals),
+               in_millimetres = capacities(1000, q, qd, hand_force, normals);
     ASSERT_LE((t - in_millimetres).norm(), 1e-6 * t.norm());
     all_brake += (t.array() > 1e-3).all() ? 1 : 0;
   }
-  EXPECT_GT(all_brake, 20);
+  EXPECT_GT(all_brake, 8);
 }
 
 }  // namespace

@@ -11,19 +11,6 @@
 
 namespace {
 
-// Of the first two either could hold f back alone; the answer lies on the second.
-TEST(active_set, comes_from_any_start_to_the_same) {
-  const half_spaces B{{1, 1, 0}, {1, 0, 0}, {0, 0, 1}};
-  const vec f(2, -1, 0);
-  for (unsigned active = 0; active < 8; ++active) {
-    ph::half_space_start start{active, 3};  // f violates the first two
-    const auto held = ph::detail::active_set<double, 3, 3>(B, f).nearest(start);
-    EXPECT_EQ(held.point, vec(0, -1, 0)) << "from " << active;
-    EXPECT_EQ(held.coefficients, vec(0, 2, 0)) << "from " << active;
-    EXPECT_EQ(held.active, 2u) << "from " << active;
-  }
-}
-
 // Let anyone leave but the first that would become negative on the way, and half-spaces take turns for ever.
 TEST(active_set, lets_the_first_leave_that_is_in_the_way) {
   const ph::matrix<double, 6, 9> B{{1, 1, -2, 2, -1, -2, -2, 0, -1}, {-2, -1, 0, 2, 2, -1, -1, -2, 2},
@@ -136,45 +123,6 @@ TEST(active_set, takes_a_violation_of_up_to_one_rounding_for_none) {
   }
 }
 
-TEST(updatable_qr, solves_for_the_columns_that_it_has) {
-  using qr_of = ph::detail::updatable_qr<double, 5, 4>;
-  const ph::matrix<double, 5, 4> A{
-      {2, 1, 0, 3}, {-1, 0.5, 4, 1}, {3, 2, -1, 0}, {0, 1, 1, -2}, {1, -3, 2, 0.5}};
-  const ph::vector<double, 5> f(1, 2, -3, 4, 5);
-  qr_of qr(qr_of::column::load(f.data()));
-  const auto append = [&](int j) {
-    return qr.append(qr_of::column::load(A.col(j).data()), A.col(j).squaredNorm());
-  };
-  const auto expect_least_squares = [&](const auto&... member) {
-    SCOPED_TRACE(qr.size());
-    ASSERT_EQ(qr.size(), int(sizeof...(member)));
-    qr_of::coefficients y;
-    qr.solve(y);
-    ph::vector<double, 5> r = f, kept, clean;
-    std::size_t k = 0;
-    ((r -= y[k++] * A.col(member)), ...);
-    qr.residual().store(kept.data());
-    qr.clean_residual().store(clean.data());
-    EXPECT_LE((kept - r).norm(), 1e-14 * f.norm());
-    EXPECT_LE((clean - r).norm(), 1e-14 * f.norm());
-    for (const int j : {member...}) EXPECT_NEAR(A.col(j).dot(r), 0, 1e-13);
-  };
-  ASSERT_TRUE(append(0) && append(1) && append(2));
-  expect_least_squares(0, 1, 2);
-  qr.truncate(2, qr_of::column::load(f.data()));
-  expect_least_squares(0, 1);
-  ASSERT_TRUE(append(3) && append(2));
-  expect_least_squares(0, 1, 3, 2);
-  const ph::vector<double, 5> v_1 = A.col(1) - A.col(0).dot(A.col(1)) / A.col(0).squaredNorm() * A.col(0);
-  EXPECT_NEAR(qr.inverse_square(1), 1 / v_1.squaredNorm(), 1e-15);
-  EXPECT_NEAR(qr.along(1), v_1.dot(f) / v_1.squaredNorm(), 1e-14);
-  EXPECT_NEAR(qr.along(1, qr_of::column::load(A.col(3).data())), v_1.dot(A.col(3)) / v_1.squaredNorm(),
-              1e-14);
-  qr.truncate(0, qr_of::column::load(f.data()));
-  ASSERT_TRUE(append(3));
-  expect_least_squares(3);
-}
-
 TEST(updatable_qr, refuses_what_depends_on_its_columns_to_rounding) {
   using qr_of = ph::detail::updatable_qr<double, 2, 2>;
   using pair = ph::vector<double, 2>;
@@ -197,22 +145,6 @@ TEST(updatable_qr, refuses_what_depends_on_its_columns_to_rounding) {
   EXPECT_TRUE(takes({1, 0}, {0, std::sqrt(2 * least)}));
   EXPECT_FALSE(takes({1, 0}, {0, std::sqrt(least / 2)}));
   EXPECT_FALSE(takes({1, 0}, {0, 0}));
-}
-
-TEST(updatable_qr, leaves_exactly_nothing_of_what_its_columns_span) {
-  using column = ph::detail::updatable_qr<double, 3, 3>::column;
-  ph::testing::random_source random(4);
-  for (int k = 0; k < 20; ++k) {
-    const vec f = random.direction<double, 3>();
-    ph::detail::updatable_qr<double, 3, 3> qr(column::load(f.data()));
-    for (int j = 0; j < 3; ++j) {
-      const vec b = random.direction<double, 3>();
-      ASSERT_TRUE(qr.append(column::load(b.data()), b.squaredNorm())) << "seed 4, trial " << k;
-    }
-    vec r;
-    qr.clean_residual().store(r.data());
-    EXPECT_EQ(r, vec(0, 0, 0)) << "seed 4, trial " << k;
-  }
 }
 
 TEST(updatable_qr, is_orthogonal_where_columns_nearly_agree) {
@@ -247,6 +179,32 @@ TEST(updatable_qr, leaves_a_residual_that_is_orthogonal_to_rounding_of_its_own) 
     qr.clean_residual().store(r.data());
     for (const vec& c : {a, b}) EXPECT_LE(std::abs(c.dot(r)), 16 * eps * r.norm()) << "seed 6, trial " << k;
   }
+}
+
+// With what held another force, with members that do not hold this one, with all.
+template <int Rows, int Columns>
+void expect_nearest_from_any_start(int problems) {
+  ph::testing::random_source random(3);
+  for (int k = 0; k < problems; ++k) {
+    SCOPED_TRACE(::testing::Message() << Rows << " x " << Columns << ", seed 3, problem " << k);
+    const problem<Rows, Columns> p(random);
+    ph::half_space_start left;
+    const auto cold = ph::project_onto_half_spaces(p.B, p.f, left);
+    expect_nearest(cold, p.B, p.f);
+    for (unsigned active = 0; active < 2u << Columns; ++active) {
+      ph::half_space_start start{active, left.violated};
+      const auto warm = ph::project_onto_half_spaces(p.B, p.f, start);
+      expect_nearest(warm, p.B, p.f);
+      ASSERT_LE((warm.point - cold.point).norm(), 1e-12) << "from " << active;
+      ASSERT_EQ(start.active, warm.active);
+      ASSERT_EQ(start.violated, left.violated);
+    }
+  }
+}
+
+TEST(active_set, is_nearest_from_any_start) {
+  expect_nearest_from_any_start<4, 4>(40);
+  expect_nearest_from_any_start<6, 9>(20);
 }
 
 }  // namespace

@@ -72,12 +72,8 @@ void expect_solutions() {
 }
 
 TEST(cholesky, solves_what_its_rounding_allows_for_rows_of_any_length) {
-  expect_solutions<double, 1>();
-  expect_solutions<double, 2>();
   expect_solutions<double, 3>();
-  expect_solutions<double, 7>();
-  expect_solutions<float, 3>();
-  expect_solutions<long double, 4>();
+  expect_solutions<float, 7>();
 }
 
 TEST(cholesky, leaves_the_unknown_of_a_zero_pivot_at_zero) {
@@ -96,39 +92,23 @@ TEST(cholesky, keeps_a_nan_beside_a_zero_pivot) {
   EXPECT_FALSE(ph::all_finite(ph::cholesky<double, 2>(A).solve(ph::vector<double, 2>(1, 1))));
 }
 
-TEST(cholesky, is_of_a_positive_definite_matrix_where_each_pivot_is_positive) {
-  using diagonal = ph::vector<double, 3>;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto is_positive_definite = [](const diagonal& d) {
-    return ph::cholesky<double, 3>(ph::matrix<double, 3, 3>(d.asDiagonal())).is_positive_definite();
-  };
-  EXPECT_TRUE(is_positive_definite({1, 1e-300, 2}));
-  for (const double bad : {0.0, -1.0, nan})
-    for (int i = 0; i < 3; ++i) {
-      diagonal d = diagonal::Ones();
-      d[i] = bad;
-      EXPECT_FALSE(is_positive_definite(d)) << bad << " at " << i;
-    }
-}
-
-TEST(cholesky, takes_nothing_from_the_upper_triangle) {
-  ph::matrix<double, 2, 2> A = ph::matrix<double, 2, 2>::Identity();
-  A(0, 1) = std::numeric_limits<double>::quiet_NaN();
-  const ph::vector<double, 2> b(3, -4);
-  EXPECT_EQ((ph::cholesky<double, 2>(A).solve(b)), b);
-  EXPECT_TRUE((ph::cholesky<double, 2>(A).is_positive_definite()));
-}
-
+// The upper triangle is not read.
 TEST(cholesky, of_what_is_not_positive_definite_has_no_finite_half) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double last : {-1.0, 0.0, nan}) {
-    ph::matrix<double, 2, 2> A = ph::matrix<double, 2, 2>::Identity();
-    A(1, 1) = last;
-    const ph::cholesky<double, 2> factors(A);
-    const ph::vector<double, 2> ones = ph::vector<double, 2>::Ones();
-    EXPECT_FALSE(factors.is_positive_definite()) << last;
-    EXPECT_FALSE(std::isfinite(factors.half_solve(ones)[1])) << last;
-    EXPECT_EQ(std::isnan(factors.solve(ones)[1]), std::isnan(last)) << last;
+  const ph::vector<double, 3> ones = ph::vector<double, 3>::Ones();
+  ph::matrix<double, 3, 3> A = ph::identity_matrix<double, 3>();
+  A(0, 1) = nan;
+  EXPECT_TRUE((ph::cholesky<double, 3>(A).is_positive_definite()));
+  EXPECT_EQ((ph::cholesky<double, 3>(A).solve(ones)), ones);
+  for (const double bad : {-1.0, 0.0, nan}) {
+    for (int i = 0; i < 3; ++i) {
+      auto B = A;
+      B(i, i) = bad;
+      const ph::cholesky<double, 3> factors(B);
+      EXPECT_FALSE(factors.is_positive_definite()) << bad << " at " << i;
+      EXPECT_FALSE(std::isfinite(factors.half_solve(ones)[i])) << bad << " at " << i;
+      EXPECT_EQ(std::isnan(factors.solve(ones)[i]), std::isnan(bad)) << bad << " at " << i;
+    }
   }
 }
 

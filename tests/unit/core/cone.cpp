@@ -47,18 +47,6 @@ TEST(cone_in_the_plane, is_held_by_what_is_in_the_way) {
   expect_nearest_in_the_plane<5>();
 }
 
-TEST(cone_in_the_plane, is_held_by_one_of_three_at_an_edge) {
-  const ph::matrix<double, 2, 3> B{{2, -1, 0}, {0, 0, -3}};
-  for (int first = 0; first < 3; ++first) {
-    ph::matrix<double, 2, 3> turned;
-    for (int j = 0; j < 3; ++j) turned.col((first + j) % 3) = B.col(j);
-    const auto held = ph::project_onto_half_spaces(turned, ph::vector<double, 2>(3, 1));
-    EXPECT_EQ(held.point, (ph::vector<double, 2>(0, 1)));
-    EXPECT_EQ(held.coefficients, 1.5 * vec::Unit(first));
-    EXPECT_EQ(held.active, 1u << first);
-  }
-}
-
 // Opposed, alike, zero: two half-spaces that have no edges of their own.
 TEST(cone_in_the_plane, of_two_that_are_parallel) {
   using pair = ph::vector<double, 2>;
@@ -81,17 +69,6 @@ TEST(cone_in_the_plane, of_two_that_are_parallel) {
   EXPECT_EQ(project(0, 0, f).point, f);
 }
 
-// The foot on one of them lies on the other; a hair more and the second holds f back farther.
-TEST(cone_in_the_plane, of_two_that_are_parallel_to_rounding) {
-  const double parallel = ph::rounding_tolerance<double>(1);
-  for (const double hair : {0.9 * parallel, 1.1 * parallel}) {
-    const ph::matrix<double, 2, 2> B{{1, 1}, {0, hair}};
-    const auto held = ph::project_onto_half_spaces(B, ph::vector<double, 2>(1, 1));
-    EXPECT_EQ(held.active, hair < parallel ? 1u : 2u);
-    EXPECT_NEAR(held.point[0], hair < parallel ? 0 : -hair, eps);
-  }
-}
-
 // Along one of two normals f is held back by that one alone.
 TEST(cone_in_the_plane, of_two_is_held_at_its_apex_by_the_one_that_f_lies_along) {
   const ph::matrix<double, 2, 2> B{{3, -1}, {4, 2}};
@@ -107,20 +84,6 @@ TEST(cone_in_the_plane, of_two_is_held_at_its_apex_also_where_products_are_tiny)
   const auto held = ph::project_onto_half_spaces(B, ph::vector<float, 2>(1, 4e-16f));
   EXPECT_EQ(held.point, (ph::vector<float, 2>(0, 0)));
   EXPECT_EQ(held.active, 3u);
-}
-
-// The third half-space holds f back at the apex as well, with either of the others.
-TEST(cone_in_the_plane, is_held_at_its_apex_by_two_of_three) {
-  const ph::matrix<double, 2, 3> B{{1, 0, 1}, {0, 1, 1}};
-  const ph::vector<double, 2> f(1, 2);
-  for (ph::half_space_set before = 0; before < 8; ++before) {
-    ph::half_space_start start{before, 7};
-    const auto held = ph::project_onto_half_spaces(B, f, start);
-    EXPECT_EQ(held.point, (ph::vector<double, 2>(0, 0)));
-    EXPECT_LE((B * held.coefficients - f).norm(), 4 * eps);
-    EXPECT_EQ(std::popcount(held.active), 2);
-    EXPECT_EQ(start.active, held.active);
-  }
 }
 
 // What has no half-space of its own: coincident, opposed and zero columns beside others, f = 0, on an edge.
@@ -152,31 +115,6 @@ TEST(cone_in_the_plane, of_four_that_are_degenerate) {
     EXPECT_EQ(project(B, {0, 0}).point, pair(0, 0));
     EXPECT_EQ(project(B, {0, 0}).active, 0u);
   }
-}
-
-// On the edge of one and of the other, for either sign of b_0 x b_1.
-TEST(cone_in_the_plane, of_two_is_held_on_the_edge_along_which_f_points) {
-  using pair = ph::vector<double, 2>;
-  const auto of = [](const pair& signs, const pair& f) {
-    const ph::matrix<double, 2, 2> e{{2, 1}, {0, -3}};
-    return ph::project_onto_half_spaces(ph::matrix<double, 2, 2>(e * signs.asDiagonal()), f);
-  };
-  const auto first = of({1, 1}, {1, 5});  // { x <= 0, x <= 3 y }
-  EXPECT_EQ(first.point, pair(0, 5));
-  EXPECT_EQ(first.coefficients, pair(0.5, 0));
-  EXPECT_EQ(first.active, 1u);
-  const auto second = of({1, 1}, {-3, -2});
-  EXPECT_TRUE(second.point.isApprox(pair(-3.3, -1.1), 1e-15)) << second.point.transpose();
-  EXPECT_TRUE(second.coefficients.isApprox(pair(0, 0.3), 1e-15)) << second.coefficients.transpose();
-  EXPECT_EQ(second.active, 2u);
-  const auto apex = of({1, 1}, {1, -1});
-  EXPECT_EQ(apex.point, pair(0, 0));
-  EXPECT_TRUE(apex.coefficients.isApprox(pair(1. / 3, 1. / 3), 1e-15)) << apex.coefficients.transpose();
-  EXPECT_EQ(apex.active, 3u);
-  EXPECT_EQ(of({1, 1}, {-1, 1}).point, pair(-1, 1)) << "f lies inside";
-  const auto turned = of({1, -1}, {-3, 2}).point;  // { x <= 0, x >= 3 y }
-  EXPECT_TRUE(turned.isApprox(pair(-2.1, -0.7), 1e-15)) << turned.transpose();
-  EXPECT_EQ(of({1, -1}, {1, -5}).point, pair(0, -5));
 }
 
 // A point of each face, edge and so on, pushed out of the cone by what meets there: all solvers know it.
@@ -232,50 +170,11 @@ TEST(cone_in_space, has_its_nearest_point_on_each_face_and_edge_and_at_the_apex)
   EXPECT_GT(taken, 0.9 * right) << "others are narrow edges";
 }
 
-// To rounding of the lengths: 4 eps of the sine.
-TEST(cone_in_the_plane, knows_what_is_parallel_to_rounding) {
-  const double tolerance = ph::rounding_tolerance<double>(1);
-  for (const double sign : {-1.0, 1.0}) {
-    EXPECT_FALSE(ph::are_parallel(sign * 4 * 1.1 * tolerance, 2.0, 8.0));
-    EXPECT_TRUE(ph::are_parallel(sign * 4 * 0.9 * tolerance, 2.0, 8.0));
-    const ph::matrix<double, 2, 2> wide{{1, 3}, {0, sign * 3.3 * tolerance}},
-        narrow{{1, 3}, {0, sign * 2.7 * tolerance}};
-    EXPECT_EQ(ph::area_between<double>(wide, {1, 9}), sign * 3.3 * tolerance);
-    EXPECT_EQ(ph::area_between<double>(narrow, {1, 9}), 0);
-  }
-  EXPECT_TRUE(ph::are_parallel(0.0, 0.0, 1.0));
-}
-
-// Parallel to rounding, two half-spaces are one; a hair more and the second holds f back farther.
-TEST(space_cone, takes_the_foot_on_one_of_two_parallel_faces_for_one_on_the_other) {
-  const double parallel = ph::rounding_tolerance<double>(1);
-  for (const double hair : {0.9 * parallel, 1.1 * parallel}) {
-    const half_spaces B{{1, 1, 0}, {0, hair, 0}, {0, 0, 1}};
-    projection answer;
-    ASSERT_TRUE(ph::detail::space_cone<double>(B, vec(1, 1, -1)).nearest(answer));
-    EXPECT_EQ(answer.active, hair < parallel ? 1u : 2u);
-    EXPECT_NEAR(answer.point[0], hair < parallel ? 0 : -hair, eps);
-  }
-}
-
 TEST(space_cone, is_of_lengths_whose_products_of_four_are_numbers) {
   for (const double square : {1.1e-30, 1.0, 0.9e30}) EXPECT_TRUE(ph::detail::is_moderate(square)) << square;
   for (const double square : {0.0, 0.9e-30, 1.1e30}) EXPECT_FALSE(ph::detail::is_moderate(square)) << square;
   for (const float square : {1.1e-8f, 1.0f, 0.9e8f}) EXPECT_TRUE(ph::detail::is_moderate(square)) << square;
   for (const float square : {0.0f, 0.9e-8f, 1.1e8f}) EXPECT_FALSE(ph::detail::is_moderate(square)) << square;
-}
-
-// Of any length of f: on each face, at each edge and at the apex.
-TEST(space_cone, answers_in_closed_form) {
-  for (const double length : {0.25, 1.0, 4.0})
-    for (int set = 0; set < 8; ++set) {
-      const vec f = length * vec((set & 1) != 0 ? 1 : -1, (set & 2) != 0 ? 1 : -1, (set & 4) != 0 ? 1 : -1);
-      projection answer;
-      ASSERT_TRUE(ph::detail::space_cone<double>(octant, f).nearest(answer)) << length << ' ' << set;
-      EXPECT_EQ(answer.active, static_cast<ph::half_space_set>(set));
-      EXPECT_EQ(answer.point, f.cwiseMin(0));
-      EXPECT_EQ(answer.coefficients, f.cwiseMax(0));
-    }
 }
 
 TEST(space_cone_start, is_left_where_rounding_or_a_narrow_edge_would_decide) {
@@ -316,22 +215,26 @@ TEST(space_cone_start, is_left_where_rounding_or_a_narrow_edge_would_decide) {
   }
 }
 
-TEST(space_cone_start, is_taken_where_it_holds_f_back_clear_of_the_others_alone) {
-  projection answer;
-  const auto is_nearest = [&](ph::half_space_set active, const vec& f) {
-    return ph::detail::space_cone_start<double>(octant, f).nearest(active, answer);
-  };
-  EXPECT_TRUE(is_nearest(1, {1, -1, -1}));
-  EXPECT_EQ(answer.point, vec(0, -1, -1));
-  EXPECT_TRUE(is_nearest(3, {1, 2, -1}));
-  EXPECT_EQ(answer.point, vec(0, 0, -1));
-  EXPECT_EQ(answer.coefficients, vec(1, 2, 0));
-  EXPECT_EQ(answer.active, 3u);
-  EXPECT_FALSE(is_nearest(1, {-1, -1, -1})) << "f lies inside";
-  EXPECT_FALSE(is_nearest(3, {-1, 1, -1})) << "the first does not hold f back";
-  EXPECT_FALSE(is_nearest(3, {1, -1, -1})) << "nor the second";
-  EXPECT_FALSE(is_nearest(1, {1, 1, -1})) << "violates the second";
-  EXPECT_FALSE(is_nearest(3, {1, 1, 1})) << "violates the third";
+// To rounding of their lengths, 4 eps of the sine, two half-spaces are one; a hair more and the second holds
+// f back farther.
+TEST(cone, takes_half_spaces_that_are_parallel_to_rounding_for_one) {
+  const double parallel = ph::rounding_tolerance<double>(1);
+  for (const double hair : {0.9 * parallel, 1.1 * parallel}) {
+    const unsigned holds = hair < parallel ? 1 : 2;
+    const double x = hair < parallel ? 0 : -hair;
+    const auto in_the_plane = ph::project_onto_half_spaces(ph::matrix<double, 2, 2>{{1, 1}, {0, hair}},
+                                                           ph::vector<double, 2>(1, 1));
+    EXPECT_EQ(in_the_plane.active, holds);
+    EXPECT_NEAR(in_the_plane.point[0], x, eps);
+    projection in_space;
+    const half_spaces B{{1, 1, 0}, {0, hair, 0}, {0, 0, 1}};
+    ASSERT_TRUE(ph::detail::space_cone<double>(B, vec(1, 1, -1)).nearest(in_space));
+    EXPECT_EQ(in_space.active, holds);
+    EXPECT_NEAR(in_space.point[0], x, eps);
+    for (const double sign : {-1.0, 1.0})
+      EXPECT_EQ(ph::are_parallel(sign * 4 * hair, 2.0, 8.0), hair < parallel);
+  }
+  EXPECT_TRUE(ph::are_parallel(0.0, 0.0, 1.0));
 }
 
 }  // namespace

@@ -124,15 +124,12 @@ void expect_best(int cases, double apart, std::array<double, 2> most) {
 }  // namespace
 
 TEST(least_squares_by_priority, is_the_best_of_all_faces_in_50_digits) {
-  expect_best<1>(2000, 0, {1e-14, 1e-14});
   expect_best<2>(2000, 0, {1e-14, 1e-14});
-  expect_best<3>(1000, 0, {1e-14, 1e-13});
   expect_best<4>(200, 0, {1e-14, 1e-13});
 }
 
 TEST(least_squares_by_priority, of_rows_that_are_nearly_parallel) {
   for (const double apart : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
     expect_best<2>(300, apart, {1e-14, 1e-14 / apart});
-    expect_best<3>(150, apart, {1e-14, 1e-14 / apart});
   }
 }

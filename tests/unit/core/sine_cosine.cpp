@@ -36,7 +36,7 @@ void check(T x) {
 
 TEST(sine_cosine, angles_of_every_size) {
   ph::testing::random_source random(11);
-  for (int k = 0; k < 4000; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     const double size = std::pow(10.0, random.uniform(-10.0, 5.0));
     check(random.uniform(-size, size));
     check(static_cast<float>(random.uniform(-size, size)));
@@ -45,7 +45,7 @@ TEST(sine_cosine, angles_of_every_size) {
 }
 
 TEST(sine_cosine, near_multiples_of_a_right_angle) {
-  for (int k = -1000; k <= 1000; ++k) {
+  for (int k = -200; k <= 200; ++k) {
     const double right = k * std::numbers::pi / 2;
     for (const double x : {right, std::nextafter(right, 1e9), std::nextafter(right, -1e9)}) check(x);
     const auto near = static_cast<float>(right);
@@ -74,40 +74,33 @@ TEST(sine_cosine, beyond_its_own_range_it_is_that_of_the_c_library) {
 }
 
 // Two in one register are the same two; one too large takes both to the C library.
-TEST(sine_cosine, of_two_angles_is_that_of_each) {
-  ph::testing::random_source random(12);
-  for (int k = 0; k < 2000; ++k) {
-    const double x = random.uniform(-1e3, 1e3), y = random.uniform(-10.0, 10.0);
-    const auto [first, second] = ph::sine_cosine(x, y);
-    const auto [s, c] = ph::sine_cosine(x);
-    EXPECT_EQ(first.sine, s);
-    EXPECT_EQ(first.cosine, c);
-    EXPECT_EQ(second.sine, ph::sine_cosine(y).sine);
-    EXPECT_EQ(second.cosine, ph::sine_cosine(y).cosine);
+template <class T>
+void expect_same_of_two(T x, T y) {
+  const auto pairs = ph::sine_cosine(x, y);
+  const T angles[] = {x, y};
+  for (const std::size_t k : {0, 1}) {
+    const auto [s, c] = ph::sine_cosine(angles[k]);
+    EXPECT_EQ(pairs[k].sine, s) << x << ", " << y;
+    EXPECT_EQ(pairs[k].cosine, c) << x << ", " << y;
   }
+}
+
+TEST(sine_cosine, of_several_angles_is_that_of_each) {
+  ph::testing::random_source random(12);
+  for (int k = 0; k < 2000; ++k) expect_same_of_two(random.uniform(-1e3, 1e3), random.uniform(-10.0, 10.0));
   for (const double large : {1.1e5, std::numeric_limits<double>::infinity()}) {
     for (const auto& pair : {ph::sine_cosine(large, 0.5)[1], ph::sine_cosine(0.5, large)[0]}) {
       EXPECT_EQ(pair.sine, std::sin(0.5));
       EXPECT_EQ(pair.cosine, std::cos(0.5));
     }
   }
-  for (const float x : {0.5f, -3.f, 1e4f, 3e38f})
-    for (const float y : {-0.7f, 100.f, -1e30f}) {
-      const auto pairs = ph::sine_cosine(x, y);
-      EXPECT_EQ(pairs[0].sine, ph::sine_cosine(x).sine);
-      EXPECT_EQ(pairs[0].cosine, ph::sine_cosine(x).cosine);
-      EXPECT_EQ(pairs[1].sine, ph::sine_cosine(y).sine);
-      EXPECT_EQ(pairs[1].cosine, ph::sine_cosine(y).cosine);
-    }
-}
-
-TEST(sine_cosine, of_many_angles_is_that_of_each) {
+  for (const float x : {0.5f, 1e4f, 3e38f})
+    for (const float y : {-0.7f, -1e30f}) expect_same_of_two(x, y);
   const ph::vector<float, 5> angles(ph::vector<float, 5>::LinSpaced(-2.f, 7.f));
   const auto all = ph::sine_cosine(angles);
   for (int i = 0; i < 5; ++i) {
-    const auto [s, c] = ph::sine_cosine(angles[i]);
-    EXPECT_EQ(all[static_cast<std::size_t>(i)].sine, s);
-    EXPECT_EQ(all[static_cast<std::size_t>(i)].cosine, c);
+    EXPECT_EQ(all[static_cast<std::size_t>(i)].sine, ph::sine_cosine(angles[i]).sine);
+    EXPECT_EQ(all[static_cast<std::size_t>(i)].cosine, ph::sine_cosine(angles[i]).cosine);
   }
 }
 

@@ -1,25 +1,26 @@
 // slow, optimised
-// Maps against the figures point by point, and the share of exact display over all directions in closed form.
+// Maps in closed form against the figures point by point; the share of exact display over all directions.
 #include <passive_haptics/design/map/design_map.hpp>
-#include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/mechanism/models/delta.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <random>
 
 namespace ph = passive_haptics;
 
 namespace {
 
-constexpr unsigned map_seed = 20260;
-
 // Random poses, directions and normals, every third direction oblique to the wall, and special ones
 template <class M>
 ph::task_points<M> random_points(const M& mechanism, int count) {
-  ph::testing::random_source random(map_seed);
+  ph::testing::random_source random(20260);
   ph::task_points<M> points;
   for (int k = 0; k < count; ++k) {
     ph::path_point<M> at;
@@ -45,13 +46,11 @@ ph::task_points<M> random_points(const M& mechanism, int count) {
   return points;
 }
 
-// The largest difference relative to 1 + the figure, and how many classes and outcomes differ.
 template <class M>
 void expect_the_figures_of_each_point(const M& mechanism, const ph::hybrid_brakes<M>& brakes, int count) {
   const auto points = random_points(mechanism, count);
   const double push = 3;
   const ph::design_map map(mechanism, points, brakes, push);
-  double worst = 0;
   int classes[4] = {};
   for (std::size_t k = 0; k < map.size(); ++k) {
     const auto one = ph::design_figures_at(mechanism, points[k], brakes, push);
@@ -63,18 +62,17 @@ void expect_the_figures_of_each_point(const M& mechanism, const ph::hybrid_brake
       if (x == y || (std::isnan(x) && std::isnan(y))) return;
       const double difference = std::abs(x - y) / (1 + std::abs(y));
       EXPECT_LT(difference, 1e-9) << k << ": " << x << " " << y;
-      worst = std::max(worst, difference);
     };
     compare(map.cosine[k], one.cosine);
     compare(map.drag[k], one.drag);
     compare(map.max_force[k], one.max_force);
     compare(map.sink_slope[k], one.sink_slope);
     compare(map.isotropy[k], one.isotropy);
+    if (::testing::Test::HasFailure()) return;
   }
   const bool some_are_off = (brakes.brakes.torque_lower.array() == 0.0).any();
   EXPECT_EQ(classes[int(ph::display_class::exact)] > count / 50, !some_are_off);
   EXPECT_GT(classes[int(ph::display_class::approximate)], count / 50);
-  ::testing::Test::RecordProperty("worst_difference", std::to_string(worst));
 }
 
 template <class M>
@@ -104,56 +102,46 @@ TEST(design_map_points, of_devices_with_a_closed_form) {
     using M = std::remove_cvref_t<decltype(mechanism)>;
     static_assert(ph::design_map<M>::has_closed_form);
     for (const double motor : {0.0, 0.1})
-      expect_the_figures_of_each_point(mechanism, ordinary_brakes<M>(motor), 20001);
+      expect_the_figures_of_each_point(mechanism, ordinary_brakes<M>(motor), 2001);
     auto unlimited = ordinary_brakes<M>();
     unlimited.brakes.torque_limit.setConstant(std::numeric_limits<double>::infinity());
-    expect_the_figures_of_each_point(mechanism, unlimited, 2000);
+    expect_the_figures_of_each_point(mechanism, unlimited, 600);
     auto off = ordinary_brakes<M>();
     off.brakes.switch_off(0);
-    expect_the_figures_of_each_point(mechanism, off, 2000);
+    expect_the_figures_of_each_point(mechanism, off, 600);
   };
-  compare(ph::two_link<double>());
   compare(ph::tendon_two_link<double>());
-  compare(ph::xy_table<double>());
   compare(ph::five_bar<double>());
   compare(arm_of_ones_own());
 }
 
 TEST(design_map_points, of_all_others) {
-  const auto compare = [](const auto& mechanism, int count) {
-    using M = std::remove_cvref_t<decltype(mechanism)>;
-    static_assert(!ph::design_map<M>::has_closed_form);
-    expect_the_figures_of_each_point(mechanism, ordinary_brakes<M>(), count);
-  };
-  compare(ph::five_bar<double, 4>(), 1000);
-  compare(ph::delta<double>(), 1000);
+  using M = ph::delta<double>;
+  static_assert(!ph::design_map<M>::has_closed_form);
+  expect_the_figures_of_each_point(M(), ordinary_brakes<M>(), 400);
 }
 
-// phi: the angle between the end effector's velocities by which each brake alone turns. The signs of a
+// phi: the angle between the end effector's velocities by which only one of the brakes turns. The signs of a
 // direction and of a force are independent, so a fraction of phi / pi of the directions has either pair of
-// signs in common, and so on.
+// signs in common, and so on: the share of docs/guide/design.md.
 TEST(design_map_points, exact_over_all_directions_of_motion_and_of_force) {
-  const ph::tendon_two_link<double> arm;
-  std::mt19937_64 bits(map_seed);
-  std::uniform_real_distribution<double> angle(0.2, 2.9);
-  constexpr int directions = 1500;
-  for (int pose = 0; pose < 3; ++pose) {
-    const ph::vector<double, 2> q(angle(bits), -angle(bits));
-    const auto unit = [](double k) {
-      const double a = 2 * std::numbers::pi * k / directions;
-      return ph::vector<double, 2>(std::cos(a), std::sin(a));
-    };
-    ph::task_points<ph::tendon_two_link<double>> points;
-    for (int i = 0; i < directions; ++i)
-      for (int j = 0; j < directions; ++j)
-        points.append({q, unit(i + 0.5), unit(j + 0.5)}, ph::vector<double, 2>::Zero());
-    const ph::design_map map(arm, points, ordinary_brakes<ph::tendon_two_link<double>>(), 1.0);
-    const auto exact = std::count(map.display.begin(), map.display.end(), ph::display_class::exact);
-    const auto E = ph::brake_jacobian(arm, q);
-    const ph::vector<double, 2> v1 = E.col(0), v2 = E.col(1);
-    const double pi = std::numbers::pi, phi = std::atan2(std::abs(v1[0] * v2[1] - v1[1] * v2[0]), v1.dot(v2));
-    EXPECT_NEAR(double(exact) / double(map.size()), phi * (pi - phi) / (pi * pi), 5e-4) << phi;
-  }
+  using tendon = ph::tendon_two_link<double>;
+  using pair = ph::vector<double, 2>;
+  constexpr int directions = 300;
+  const double pi = std::numbers::pi;
+  const pair q(0.9, -1.7);
+  const auto unit = [&](double k) {
+    return pair(std::cos(2 * pi * k / directions), std::sin(2 * pi * k / directions));
+  };
+  ph::task_points<tendon> points;
+  for (int i = 0; i < directions; ++i)
+    for (int j = 0; j < directions; ++j) points.append({q, unit(i + 0.5), unit(j + 0.5)}, pair::Zero());
+  const ph::design_map map(tendon(), points, ordinary_brakes<tendon>(), 1.0);
+  const auto exact = std::count(map.display.begin(), map.display.end(), ph::display_class::exact);
+  const auto E = ph::brake_jacobian(tendon(), q);
+  const pair v1 = E.col(0), v2 = E.col(1);
+  const double phi = std::atan2(std::abs(ph::cross_in_plane(v1, v2)), v1.dot(v2));
+  EXPECT_NEAR(double(exact) / double(map.size()), phi * (pi - phi) / (pi * pi), 5e-3) << phi;
 }
 
 }  // namespace

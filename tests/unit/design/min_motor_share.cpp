@@ -81,6 +81,8 @@ TEST(hybrid_brakes, add_motors_to_what_can_be_displayed) {
   EXPECT_NEAR(hybrid.max_force, 1.6 + 0.6 * 0.5, 1e-15);
   EXPECT_EQ(hybrid.angle, alone.angle) << "class, angle and signs are those of the brakes";
   EXPECT_EQ(hybrid.max_approximated_force, alone.max_approximated_force);
+  const auto turned = ph::displayable(slides(), {0, 0}, -along_the_wall, -out_of_wall, some);
+  EXPECT_NEAR(turned.max_force, hybrid.max_force, 1e-15) << "motors push and pull";
   const auto out = ph::displayable(slides(), {0, 0}, out_of_wall, out_of_wall, some);
   EXPECT_EQ(out.display, ph::display_class::none);
   EXPECT_NEAR(out.max_force, 0.3, 1e-15) << "a motor pushes out a handle that leaves";

@@ -1,6 +1,8 @@
 // slow, optimised
 // Sink slopes against simulated devices under constant commands: the best of them sinks as predicted, and no
-// other sinks less.
+// other sinks less. The 300 devices of docs/guide/force.md with PASSIVE_HAPTICS_STRESS=full, else 20.
+#include "../../stress/effort.hpp"
+
 #include <passive_haptics/design/sink_slope.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/plant/random_device.hpp>
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 
 namespace {
@@ -91,74 +92,36 @@ descent descend(const pushed_device& d, double slope, const V2& command, double 
   return seen;
 }
 
-constexpr std::uint64_t seeds[] = {20261, 31337};
 constexpr double steepest = 5;  // beyond it the handle goes nearly straight into the wall
 
-// The slope on the short way is between those at its two ends.
-TEST(sink_slope, is_that_of_300_simulated_devices) {
-  int sinking = 0, within = 0, held = 0, stayed = 0, lost = 0, fell = 0, close = 0;
-  double worst = 0;
-  for (const std::uint64_t seed : seeds) {
-    int of_seed = 0;
-    for (std::uint64_t k = 0; of_seed < 150 && k < 5000; ++k) {
-      const pushed_device d(seed, k);
-      if (d.is_close()) {
-        ++close;
-        continue;
-      }
-      const double slope = d.slope_at(d.q);
-      if (slope == 0 && held < 50) {
-        ++held;
-        stayed += descend(d, 0, d.commands_for(0)).depth < 1e-4;
-      } else if (!std::isfinite(slope) && lost < 50) {
-        ++lost;
-        fell += !std::isfinite(descend(d, 0, d.limit, 0.001).slope);
-      } else if (slope > 0 && slope < steepest) {
-        ++of_seed;
-        const descent seen = descend(d, slope, d.commands_for(slope));
-        const double at_end = d.slope_at(seen.end), least = std::min(slope, at_end),
-                     most = std::max(slope, at_end);
-        const double off = std::max({0.0, least - seen.slope, seen.slope - most}) / (1 + slope);
-        worst = std::max(worst, off);
-        within += off < 0.02;
-        if (!(off < 0.02))
-          std::printf("seed %llu, device %llu: slope %.4f, at the end %.4f, simulated %.4f\n",
-                      static_cast<unsigned long long>(seed), static_cast<unsigned long long>(k), slope,
-                      at_end, seen.slope);
+// The slope on the short way is between those at its two ends, whatever the commands of every eighth device.
+TEST(sink_slope, is_that_of_simulated_devices_and_the_least_of_all_commands) {
+  const int wanted = static_cast<int>(stress::effort(20, 300));
+  int sinking = 0, held = 0, lost = 0;
+  for (std::uint64_t k = 0; sinking < wanted && k < 10000; ++k) {
+    SCOPED_TRACE(::testing::Message() << "device " << k);
+    const pushed_device d(20261, k);
+    if (d.is_close()) continue;
+    const double slope = d.slope_at(d.q);
+    if (slope == 0 && ++held <= 10) {
+      EXPECT_LT(descend(d, 0, d.commands_for(0)).depth, 1e-4) << "it is held";
+    } else if (!std::isfinite(slope) && ++lost <= 10) {
+      EXPECT_FALSE(std::isfinite(descend(d, 0, d.limit, 0.001).slope)) << "it falls";
+    } else if (slope > 0 && slope < steepest) {
+      const descent seen = descend(d, slope, d.commands_for(slope));
+      const double at_end = d.slope_at(seen.end), rounding = 0.02 * (1 + slope);
+      EXPECT_GT(seen.slope, std::min(slope, at_end) - rounding);
+      EXPECT_LT(seen.slope, std::max(slope, at_end) + rounding);
+      if (sinking++ % 8 != 0) continue;
+      for (int i = 0; i < 9; ++i) {
+        const descent other = descend(d, slope, V2(d.limit[0] * (i % 3) / 2, d.limit[1] * (i / 3) / 2));
+        EXPECT_GT(other.slope, std::min(slope, d.slope_at(other.end)) - rounding) << "commands " << i;
       }
     }
-    sinking += of_seed;
   }
-  std::printf(
-      "%d of %d sinking devices within 2 %%, worst %.4f; %d of %d held ones stayed, %d of %d lost ones "
-      "fell; %d left out\n",
-      within, sinking, worst, stayed, held, fell, lost, close);
-  EXPECT_EQ(sinking, 300);
-  EXPECT_EQ(within, sinking);
-  EXPECT_EQ(stayed, held);
-  EXPECT_EQ(fell, lost);
-  EXPECT_GT(held, 20);
-}
-
-// Whatever the brakes are commanded.
-TEST(sink_slope, is_the_least_of_all_commands_in_simulation) {
-  int devices = 0;
-  for (const std::uint64_t seed : seeds)
-    for (std::uint64_t k = 0, of_seed = 0; of_seed < 15 && k < 1000; ++k) {
-      const pushed_device d(seed, k);
-      const double slope = d.slope_at(d.q);
-      if (!(slope > 0.02 && slope < steepest)) continue;
-      ++of_seed;
-      ++devices;
-      for (int i = 0; i <= 4; ++i)
-        for (int j = 0; j <= 4; ++j) {
-          const descent seen = descend(d, slope, V2(d.limit[0] * i / 4, d.limit[1] * j / 4));
-          const double least = std::min(slope, d.slope_at(seen.end));
-          EXPECT_GT(seen.slope, least - 0.02 * (1 + slope))
-              << "seed " << seed << ", device " << k << ", " << i << j;
-        }
-    }
-  EXPECT_EQ(devices, 30);
+  EXPECT_EQ(sinking, wanted);
+  EXPECT_GE(held, 10);
+  EXPECT_GT(lost, 0);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 using example::log_reader;
 using example::log_row;
 
-const std::string header = "t,q1,note\n";
+const std::string header = "t,q1,note\n", good = "0.5,1,x\n";
 
 std::string message_for(const std::string& log) {
   std::istringstream in(log);
@@ -117,7 +117,7 @@ TEST(log_row, reads_back_as_the_same_numbers) {
   std::vector<double> numbers{
       0,   -0.0,    limits::min(), limits::max(), limits::lowest(), limits::denorm_min(),
       0.1, 1.0 / 3, 5145.8,        1e22};
-  while (numbers.size() < 20'000)
+  while (numbers.size() < 2'000)
     if (const double x = std::bit_cast<double>(random()); std::isfinite(x)) numbers.push_back(x);
   log_row row;
   std::string log;
@@ -154,7 +154,7 @@ TEST(log_reader, finds_columns_by_name_beside_others) {
 }
 
 TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
-  const std::string good = "0.5,1,x\n", number = ", expected a finite number for 'q1'";
+  const std::string number = ", expected a finite number for 'q1'";
   const std::string zero =
       "a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, remove such bytes";
   struct malformed {
@@ -163,17 +163,10 @@ TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
   };
   const malformed all[] = {
       {"nothing at all", "", "line 1: the log is empty, expected a line of names, t,q1,..."},
-      {"remarks alone", "# a\n", "line 2: the log ends, expected a line of names, t,q1,..."},
       {"no header", good,
        "line 1: no column 't', expected one among '0.5,1,x', separated by commas, semicolons or tabs"},
       {"no such column", "t,q2\n", "line 1: no column 'q1', expected one among 't,q2'"},
       {"a column twice", "t,q1,q1\n", "line 1, column 3: a second 'q1', expected each name once"},
-      {"a unit in a name", "t [s],q1\n",
-       "line 1: no column 't', expected one among 't [s],q1', separated by commas, semicolons or tabs"},
-      {"names separated by blanks", "t q1\n",
-       "line 1: no column 't', expected one among 't q1', separated by commas, semicolons or tabs"},
-      {"no such column in a remark", "# t,q2\n# by hand\n0,1\n",
-       "line 1: no column 'q1', expected one among 't,q2'"},
       {"another unit", "# units: s,deg,\n" + header,
        "line 2, column 2: 'q1' in 'deg', expected it in rad or m"},
       {"time in another unit", "# units: ms,rad,\n" + header,
@@ -181,68 +174,40 @@ TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
       {"too few units", "# units: s,rad\n" + header,
        "line 2: 3 names and the units ' s,rad', expected a unit for each name, separated as the names are; "
        "write them so, or remove the line of units"},
-      {"units of another program", "# recorded by bench\n# units: s rad\n" + header,
-       "line 3: 3 names and the units ' s rad', expected a unit for each name, separated as the names are; "
-       "write them so, or remove the line of units"},
       {"a log to come", "# passive_haptics log 2\n" + header, "line 1: version 2, expected version 1"},
       {"a line too short", header + "0.6,1\n", "line 2, column 3: the line ends, expected a cell for 'note'"},
       {"a line too long", header + "0,1,2,3\n", "line 2, column 4: '3', expected 3 cells"},
       {"no time", header + " ,1,2\n",
        "line 2, column 1: no time, expected no time before that of the line above"},
       {"a word", header + "0,two,3\n", "line 2, column 2: 'two'" + number},
-      {"a number with a unit", header + "0,1 rad,2\n",
-       "line 2, column 2: ' rad' after a number" + number + " alone; units stand in the header"},
       {"two separators", header + "0,1;5,2\n",
        "line 2, column 2: '1;5', expected cells separated as the names are"},
       {"a decimal comma", "t;q1\n0;1,5\n",
        "line 2, column 2: '1,5'" + number + "; write a decimal point instead of the comma"},
-      {"not a number", header + "0,nan,2\n", "line 2, column 2: 'nan'" + number},
-      {"infinity", header + "0,-inf,2\n", "line 2, column 2: '-inf'" + number},
       {"a number out of range", header + "0,1e999,2\n", "line 2, column 2: '1e999' is out of range" + number},
-      {"a hexadecimal number", header + "0,0x10,2\n",
-       "line 2, column 2: 'x10' after a number" + number + " alone; units stand in the header"},
-      {"two signs", header + "0,+-1,2\n", "line 2, column 2: '+-1'" + number},
       {"time that runs backwards", header + good + "0.4,1,2\n",
        "line 3, column 1: time 0.4, expected no time before that of the line above"},
       {"a blank line in between", header + good + "\n" + good,
        "line 4: a blank line before this one, expected numbers in each line"},
-      {"no number, as Windows writes it", header + "0,-1.#IND,2\n", "line 2, column 2: '-1.#IND'" + number},
-      {"a number that was cut off", "t,q1\n0,1\n1,1.5e",
-       "line 3, column 2: '1.5e'" + number + "; the file was cut off"},
       {"a last line that may be cut off", "# passive_haptics log 1\nt,q1\n0,1\n1,1.5",
        "line 4: the line has no end, expected each line of this version to have one; the log was cut off: "
        "remove "
        "this line, or end it"},
       {"a zero byte", header + std::string("0,1,2\0,3", 8), "line 2: " + zero},
-      {"a block of zero bytes at the end", header + good + std::string(100'000, '\0'), "line 3: " + zero},
-      {"UTF-16", std::string("\xff\xfet\0,\0q\0", 8),
-       "line 1: text in UTF-16, expected ASCII or UTF-8; save the file in one of these"},
-      {"gzip", "\x1f\x8b\x08", "line 1: compressed by gzip, expected the file itself; unpack it"},
-      {"Git LFS", "version https://git-lfs.github.com/spec/v1\noid sha256:4d\nsize 12\n",
-       "line 1: a Git LFS pointer, not the file, expected what it points to; run `git lfs pull`"},
-      {"a page", "<html>\n", "line 1: an HTML page, not the file, expected the file itself; download that"},
       {"control characters", header + "0,1\x1b[2J\t,3\n",
        "line 2, column 2: '?[2J?' after a number" + number + " alone; units stand in the header"},
-      {"an endless line", header + std::string(5000, '1'),
-       "line 2: more than 4096 characters, expected a shorter line"},
       {"an open quote", header + "0,1,\"x\n0.1,1,2\n", "no message"},  // of a column that nobody reads
   };
   for (const auto& [what, log, message] : all)
     EXPECT_EQ(message_for(log), (message == "no message" ? "" : "a.csv, ") + message) << what;
 }
 
-TEST(log_reader, takes_what_programs_write) {
-  const std::string good = "0.5,1,x\n";
+TEST(log_reader, takes_the_ends_of_lines_and_files_that_programs_write) {
   EXPECT_EQ(lines_in(header), 0U);
-  EXPECT_EQ(lines_in(header + good + good), 2U);
-  EXPECT_EQ(lines_in("\xEF\xBB\xBF" + header + good), 1U);                // a byte order mark
-  EXPECT_EQ(lines_in("t, q1, note\r\n0, 1, 2\r\n"), 1U);                  // blanks, and lines as of Windows
-  EXPECT_EQ(lines_in(header + "0,1,2"), 1U);                              // no newline at the end
-  EXPECT_EQ(lines_in(header + good + "\n\n"), 1U);                        // blank lines at the end
-  EXPECT_EQ(lines_in("t,q1\r0,1\r1,2\r"), 2U);                            // lines as of old Macs
-  EXPECT_EQ(lines_in(header + good + "\x1a"), 1U);                        // the end under DOS
-  EXPECT_EQ(lines_in(header + good + std::string(1, '\0')), 1U);          // and of a text in C
-  EXPECT_EQ(lines_in(header + "+0,1e0,\n1,.5,\n2,-3.,\n3,1e-320,"), 4U);  // all spellings of a number
+  for (const std::string& log :
+       {header + "0,1,2", std::string("t, q1, note\r\n0, 1, 2\r\n"), header + good + "\n\n",
+        std::string("t,q1\r0,1\r"), header + good + "\x1a", header + good + std::string(1, '\0')})
+    EXPECT_EQ(lines_in(log), 1U) << log;
 }
 
 TEST(log_reader, takes_what_other_programs_write) {
@@ -251,15 +216,13 @@ TEST(log_reader, takes_what_other_programs_write) {
     std::string log;
   } all[] = {
       {"R, write.csv", "\"\",\"t\",\"q1\"\n\"1\",0,1.5\n\"2\",1,2.5\n"},
-      {"R, write.csv2 with a decimal point", "\"\";\"t\";\"q1\"\n\"1\";0;1.5\n\"2\";1;2.5\n"},
-      {"readr, write_excel_csv", "\xEF\xBB\xBF\"t\",\"q1\"\r\n0,1.5\r\n1,2.5\r\n"},
-      {"Python, csv.QUOTE_ALL", "\"t\",\"q1\"\n\"0\",\"1.5\"\n\"1\",\"2.5\"\n"},
+      {"Python, csv.QUOTE_ALL, a byte order mark",
+       "\xEF\xBB\xBF\"t\",\"q1\"\n\"0\",\"1.5\"\n\"1\",\"2.5\"\n"},
       {"NumPy, savetxt with a header",
        "# t,q1\n0.000000000000000000e+00,1.500000000000000000e+00\n1e+00,2.5e+00\n"},
       {"pandas, without a name of its index", ",t,q1\n0,0,1.5\n1,1,2.5\n"},
       {"a spreadsheet", "sep=;\r\nt;q1\r\n0;1.5\r\n1;2.5\r\n"},
       {"a table of tabs", "t\tq1\tnote\n0\t1.5\ta; b, c\n1\t2.5\t\n"},
-      {"names behind #, then more remarks", "#t,q1\n# units: s,rad\n# by hand\n0,1.5\n1,2.5"},
       {"a remark that names columns, then names", "# q1 over t, t\nt,q1\n0,1.5\n1,2.5\n"},
   };
   for (const auto& [program, log] : all) {
@@ -369,10 +332,7 @@ TEST(log_columns, that_no_log_can_hold_are_found) {
   EXPECT_EQ(refusal_of({times, {"x", "1", {0, HUGE_VAL}, {}}}),
             "a.csv, line 5, column 2: inf for 'x', expected a finite number, or NaN for what is not known");
   EXPECT_TRUE(refusal_of({times, {"x", "", {}, {"a\nb", ""}}}).starts_with("a.csv, line 4"));
-  EXPECT_TRUE(refusal_of({times, {"x", "", {}, {"", "a\r"}}}).find("'a") != std::string::npos);
   EXPECT_TRUE(refusal_of({times, {"x,y", "1", {0, 0}, {}}}).find("expected") != std::string::npos);
   EXPECT_TRUE(refusal_of({times, {" x", "1", {0, 0}, {}}}).find("column ' x' in '1'") != std::string::npos);
   EXPECT_TRUE(refusal_of({times, {"x", "a,b", {0, 0}, {}}}).find("expected") != std::string::npos);
-  EXPECT_TRUE(refusal_of({{"t", "s", {0.5, 0}, {}}}).find("no time before that") != std::string::npos);
-  EXPECT_TRUE(refusal_of({{"x", "1", {0}, {}}}).find("no column 't'") != std::string::npos);
 }

@@ -11,6 +11,7 @@
 
 #include <sys/resource.h>
 
+#include <fstream>
 #include <sstream>
 
 namespace ph = passive_haptics;
@@ -71,19 +72,6 @@ class endless_log : public std::streambuf {
   std::string text_;
 };
 
-// Takes everything and keeps nothing.
-class nowhere : public std::streambuf {
- public:
-  std::size_t bytes = 0;
-
- protected:
-  std::streamsize xsputn(const char*, std::streamsize n) override {
-    bytes += static_cast<std::size_t>(n);
-    return n;
-  }
-  int_type overflow(int_type c) override { return ++bytes, traits_type::not_eof(c); }
-};
-
 long peak_memory() {  // [KiB]
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -92,29 +80,8 @@ long peak_memory() {  // [KiB]
 
 }  // namespace
 
-// velocity_direct_control reads the curvature of a wall
-TEST(replay, at_a_round_wall_decides_what_the_library_decides) {
-  const ph::ball<2> round({0, 0.2}, 0.03, ph::filling::hollow);
-  const auto at = [](const auto& shape) {
-    return ph::controller(device(), ph::brakes_of<device>(), ph::scene(ph::wall(shape)),
-                          ph::velocity_direct_control());
-  };
-  auto read = at(example::any_shape<2>(round));
-  auto own = at(round);
-  int braking = 0;
-  for (int k = 0; k < 200; ++k) {
-    const double angle = 0.03 * k;
-    const auto q =
-        device().inverse({0.031 * std::cos(angle), 0.2 + 0.031 * std::sin(angle)}, ph::elbow::left).q;
-    const ph::device_state<device> state{1e-3 * k, q, {std::cos(5 * angle), std::sin(7 * angle)}, {0.5, 2}};
-    const auto expected = own(state);
-    ASSERT_EQ(read(state).capacity, expected.capacity) << k;
-    braking += expected.capacity.maxCoeff() > 0;
-  }
-  EXPECT_GT(braking, 50);
-}
-
-TEST(replay, tells_what_a_controller_tells) {
+// What a controller decides is compared below, in a log of a simulation.
+TEST(replay, writes_motion_and_decision_with_units) {
   const auto lines = lines_of(replay(log_header + good));
   ASSERT_EQ(lines.size(), 4U);
   EXPECT_EQ(lines[0], "# passive_haptics log 1");
@@ -122,25 +89,6 @@ TEST(replay, tells_what_a_controller_tells) {
   EXPECT_EQ(lines[2],
             "t,q1,q2,qd1,qd2,Fh_x,Fh_y,status,power,display,gamma,alpha,Fd_x,Fd_y,Fc_x,Fc_y,capacity1,"
             "capacity2,torque1,torque2");
-
-  ph::controller control{device(), ph::brakes_of<device>(), ph::scene(ph::wall(surface)),
-                         ph::direct_control()};
-  const auto r = control(ph::device_state<device>{0.5, {1.9, -1.2}, {0.1, 0.2}, {0.5, 2}});
-  std::istringstream fields(lines[3].substr(good.size() - 1));
-  const auto next = [&] {
-    std::string field;
-    std::getline(fields, field, ',');
-    return field;
-  };
-  EXPECT_EQ(next(), "");
-  EXPECT_EQ(next(), "ok");
-  EXPECT_EQ(next(), to_string(r.power));
-  EXPECT_EQ(next(), to_string(r.display));
-  for (const double value :
-       {r.approximation_angle(), r.alpha, r.desired_force[0], r.desired_force[1], r.control_force[0],
-        r.control_force[1], r.capacity[0], r.capacity[1], r.torque[0], r.torque[1]}) {
-    EXPECT_EQ(std::stod(next()), value);  // the shortest text reads back as the same number
-  }
 }
 
 TEST(replay, decides_nothing_where_a_number_is_missing) {
@@ -223,15 +171,13 @@ TEST(replay, counts_the_capacities_that_differ) {
 TEST(replay, needs_no_more_memory_for_a_longer_log) {
   const auto run = [](std::size_t count) {
     endless_log source(count);
-    nowhere sink;
     std::istream in(&source);
-    std::ostream out(&sink);
+    std::ofstream out("/dev/null");
     EXPECT_EQ(replay(in, out).lines, count);
-    EXPECT_GT(sink.bytes, 50 * count);
   };
   run(1000);
   const long before = peak_memory();
-  run(address_sanitizer ? 30000 : 300000);
+  run(address_sanitizer ? 30000 : 100000);
   const long allowed = address_sanitizer ? 16384 : 1024;  // there freed memory stays in quarantine
   EXPECT_LE(peak_memory() - before, allowed) << "KiB more for many times as many lines";
 }

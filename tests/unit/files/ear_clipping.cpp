@@ -157,6 +157,8 @@ TEST_F(a_polygon, of_four_corners_that_is_twisted_is_cut_and_counted) {
     const auto file = read(strip + quad + quad);
     EXPECT_EQ(file.mesh.facets.size(), 4u);
     EXPECT_EQ(file.twisted_quads, 2);
+    const auto normal = [&](std::size_t i) { return ph::detail::normal_of(file.mesh.corners(i)); };
+    EXPECT_GT(normal(0).dot(normal(1)), -0.7) << "along the diagonal that folds it less: -0.62, not -0.75";
     EXPECT_NE(file.remarks.find("twisted quads, cut along a diagonal: 2, the first at line 5;"),
               std::string::npos);
   }

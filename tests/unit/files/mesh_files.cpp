@@ -1,5 +1,4 @@
-// Meshes from STL, OBJ and PLY: what is right in them, what is said of those that are wrong, and that no
-// bytes whatever do harm.
+// Meshes from files of all formats: the solid, its unit, and that no bytes whatever do harm.
 #include "mesh_files.hpp"
 
 #include <passive_haptics/scene/mesh/mesh_solid.hpp>
@@ -7,27 +6,9 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-#include <functional>
-
 namespace {
 
 using namespace mesh_files;
-
-using reader = std::function<ph::mesh_file(const fs::path&)>;
-const reader stl = [](const fs::path& p) { return ph::read_stl(p); },
-             obj_file = [](const fs::path& p) { return ph::read_obj(p); },
-             ply = [](const fs::path& p) { return ph::read_ply(p); };
-
-struct format {
-  const char* name;
-  reader read;
-  std::string cube;
-};
-std::vector<format> formats() {
-  return {{"ascii.stl", stl, ascii_stl(cube())},   {"binary.stl", stl, binary_stl(cube())},
-          {"cube.obj", obj_file, obj(cube())},     {"ascii.ply", ply, ascii_ply(cube())},
-          {"little.ply", ply, binary_ply(cube())}, {"big.ply", ply, binary_ply(cube(), std::endian::big)}};
-}
 
 struct mesh_of_a_file : in_a_folder {};
 
@@ -46,15 +27,11 @@ TEST_F(mesh_of_a_file, is_the_same_solid_in_each_format) {
 TEST_F(mesh_of_a_file, keeps_every_bit_of_its_coordinates) {
   mesh m = cube();
   for (auto& v : m.vertices) v = v * (1 + 1e-9) + ph::point<3>(1.0 / 3, 100 + 1e-12, -2.0 / 7);
-  for (const auto& [name, as_text] : {std::pair{"a.stl", ascii_stl(m)},
-                                      {"a.obj", obj(m)},
-                                      {"a.ply", ascii_ply(m)},
-                                      {"b.ply", binary_ply(m)}}) {
-    const auto path = write(name, as_text);
-    const mesh read = (path.extension() == ".stl"   ? stl
-                       : path.extension() == ".obj" ? obj_file
-                                                    : ply)(path)
-                          .mesh;
+  for (const auto& [name, read_file, text] : {format{"a.stl", stl, ascii_stl(m)},
+                                              {"a.obj", obj_file, obj(m)},
+                                              {"a.ply", ply, ascii_ply(m)},
+                                              {"b.ply", ply, binary_ply(m)}}) {
+    const mesh read = read_file(write(name, text)).mesh;
     for (std::size_t f = 0; f < m.facets.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(read.corners(f)[i], m.corners(f)[i]) << name;
   }
@@ -116,15 +93,37 @@ TEST_F(mesh_of_a_file, loses_triangles_without_area_and_says_how_many) {
   m.facets.push_back({0, 1, 1});
   m.vertices.push_back({0.5, 0, 0});
   m.facets.push_back({0, 8, 1});
-  for (const auto& [name, text] : {std::pair{"a.stl", ascii_stl(m)},
-                                   {"b.stl", binary_stl(m)},
-                                   {"a.obj", obj(m)},
-                                   {"a.ply", ascii_ply(m)}}) {
-    const auto path = write(name, text);
-    const auto file = (path.extension() == ".stl" ? stl : path.extension() == ".obj" ? obj_file : ply)(path);
+  for (const auto& [name, read, text] : {format{"a.stl", stl, ascii_stl(m)},
+                                         {"b.stl", stl, binary_stl(m)},
+                                         {"a.obj", obj_file, obj(m)},
+                                         {"a.ply", ply, ascii_ply(m)}}) {
+    const auto file = read(write(name, text));
     EXPECT_EQ(file.slivers, 2) << name;
     EXPECT_EQ(file.mesh.facets.size(), 12u) << name;
   }
+}
+
+// A scanner writes NaN where it saw nothing.
+TEST_F(mesh_of_a_file, may_have_vertices_that_are_no_numbers_if_no_face_uses_them) {
+  mesh with_hole = cube();
+  with_hole.vertices.insert(with_hole.vertices.begin() + 3, ph::point<3>(0, std::nan(""), 1));
+  with_hole.vertices.emplace_back(std::nan(""), 0, 0);
+  for (auto& f : with_hole.facets)
+    for (int& v : f) v += v >= 3;
+  expect_cube(ph::read_obj(write("a.obj", obj(with_hole))), "obj");
+  for (const char* nan : {"-1.#IND", "1.#QNAN00", "1.#INF"})
+    expect_cube(ph::read_obj(write("a.obj", replaced(obj(with_hole), "nan", nan))), nan);
+  expect_cube(ph::read_ply(write("a.ply", ascii_ply(with_hole))), "text");
+  expect_cube(ph::read_ply(write("b.ply", binary_ply(with_hole))), "binary");
+
+  with_hole.facets[2][1] = 3;
+  const std::string wrong = "corner 2 = (0, nan, 1), expected finite coordinates; the file is damaged";
+  EXPECT_EQ(obj_error(obj(with_hole)), "line 13: " + wrong);
+  EXPECT_EQ(obj_error(replaced(obj(with_hole), "nan", "-1.#IND")), "line 13: " + wrong);
+  EXPECT_NE(obj_error(replaced(obj(with_hole), "nan", "2.#IND")), "line 13: " + wrong);
+  EXPECT_EQ(ply_error(ascii_ply(with_hole)), "line 24: " + wrong);
+  EXPECT_EQ(stl_error(ascii_stl(with_hole)), "line 16: " + wrong);
+  EXPECT_EQ(stl_error(binary_stl(with_hole)), "byte 184: " + wrong);
 }
 
 TEST_F(mesh_of_a_file, is_read_from_a_regular_file_only) {
@@ -135,139 +134,6 @@ TEST_F(mesh_of_a_file, is_read_from_a_regular_file_only) {
     EXPECT_EQ(error_of(read, folder / "fifo"), "is a FIFO, expected a regular file");
     EXPECT_EQ(error_of(read, "/dev/zero"), "is a device, expected a regular file");
   }
-}
-
-TEST_F(mesh_of_a_file, that_is_wrong_is_named_with_place_and_expectation) {
-  const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (const auto& [text, error] : {
-           std::pair{std::string(""), "no triangles, expected one or more; points and lines have no sides"},
-           {"v 0 0 0\nv 1 0 0\nl 1 2\n",
-            "no triangles, expected one or more; points and lines have no sides"},
-           {v3 + "f 1 2 4\n", "line 4: '4', expected a vertex of the 3 above, from 1, or back from -1"},
-           {v3 + "f 1 2 0\n", "line 4: '0', expected a vertex of the 3 above, from 1, or back from -1"},
-           {v3 + "f 1 2 -4\n", "line 4: '-4', expected a vertex of the 3 above, from 1, or back from -1"},
-           {v3 + "f 1 2 99999999999999999999\n",
-            "line 4: '99999999999999999999', expected the number of a vertex"},
-           {v3 + "f 1 2 /3\n", "line 4: '/3', expected the number of a vertex"},
-           {v3 + "f 1 2\n", "line 4: the line ends, expected three corners or more"},
-           {"v 0 0\nv 1 0 0\n", "line 1: the line ends, expected a coordinate"},
-           {"v 0 0 0x10\n", "line 1: '0x10', expected a coordinate"},
-           {"v 0 0 1e999\n", "line 1: '1e999', expected a coordinate"},
-           {v3 + "v 0 0 nan\nf 1 2 4\n",
-            "line 5: corner 3 = (0, 0, nan), expected finite coordinates; the file is damaged"},
-           {v3 + "f 1 2 2\n", "no triangle has an area, expected one or more"},
-           {std::string("v 0 0 1\0\x1b[2J\n", 13),
-            "line 1: a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, remove such "
-            "bytes"},
-           {"v 0,00 0,00 0,00\n",
-            "line 1: '0,00', expected a coordinate; write a decimal point instead of the comma"},
-           {"v 0 0 1.5e", "line 1: '1.5e', expected a coordinate; the file was cut off"},
-           {v3 + "curv 0 1 1 2\n",
-            "line 4: 'curv', expected v, f or another keyword of a mesh; curves and free-form surfaces are "
-            "not "
-            "read"},
-           {std::string(100, 'x'),
-            "line 1: 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...', expected a keyword of a mesh; the file "
-            "has "
-            "no triangles"},
-       }) {
-    EXPECT_EQ(error_of(obj_file, write("a.obj", text)), error) << text;
-  }
-
-  const std::string whole = binary_stl(cube()), ascii = ascii_stl(cube());
-  for (
-      const auto& [text, error] : {
-          std::pair{std::string(""), "line 1: the file ends, expected 'solid'; it was cut off, or is no STL"},
-          {whole.substr(0, 83), "line 1: the file ends, expected 'solid'; it was cut off, or is no STL"},
-          {whole.substr(0, 84),
-           "byte 84: the file ends, expected 684 bytes, those of 12 triangles; it was cut off, or is no STL"},
-          {std::string(80, ' ') + "\xff\xff\xff\xff",
-           "line 1: '\xff\xff\xff\xff', expected 'solid'; it was cut off, or is no STL"},
-          {ascii.substr(0, ascii.find("endloop")), "line 7: the file ends, expected 'endloop'"},
-          {"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero", "line 4: 'zero', expected a number"},
-          {"solid a\nendsolid a\nfacet", "line 3: 'facet', expected 'solid', or the end of the file"},
-          {"solid a\n", "line 2: the file ends, expected 'facet' or 'endsolid'"},
-          {"solid a\nendsolid", "no triangles, expected one or more; points and lines have no sides"},
-      })
-    EXPECT_EQ(error_of(stl, write("a.stl", text)).substr(0, 200), error) << text.substr(0, 100);
-}
-
-TEST_F(mesh_of_a_file, of_ply_that_is_wrong_is_named_with_place_and_expectation) {
-  const auto head = [](const std::string& counts, const std::string& format = "ascii") {
-    return "ply\nformat " + format +
-           " 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-           "property float z\nelement face " +
-           counts + "\nproperty list uchar int vertex_indices\nend_header\n";
-  };
-  const std::string v3 = "0 0 0\n1 0 0\n0 1 0\n";
-  const std::string no_mesh = "the header is not that of a mesh, expected ";
-  for (const auto& [text, error] : {
-           std::pair{
-               head("1") + v3 + "3 0 1 99999\n",
-               std::string(
-                   "line 13: 'vertex 99999', expected 0 or more and less than 3, as many as there are")},
-           {head("1") + v3 + "3 0 1 -5\n",
-            "line 13: 'vertex -5', expected 0 or more and less than 3, as many as there are"},
-           {head("1") + v3 + "3 0 1 2.5\n", "line 13: '2.5', expected a whole number"},
-           {head("1") + v3 + "3 0 1\n", "line 14: the file ends, expected a whole number"},
-           {head("1") + v3 + "-1 0 1 2\n",
-            "line 13: 'a list of -1 values', expected 0 or more, and no more than the file has"},
-           {head("1") + v3 + "200 0 1 2\n",
-            "line 13: 'a list of 200 values', expected 0 or more, and no more than the file has"},
-           {head("1") + v3 + "3 0 1 2\n3 0 1 2\n",
-            "line 14: '3', expected the end of the file, as the header says"},
-           {head("99999999999") + v3 + "3 0 1 2\n",
-            "element face has 99999999999 rows of 2 bytes or more, expected no more than the 26 bytes that "
-            "follow the "
-            "header"},
-           {head("99999999999999999999") + v3,
-            "line 7: '99999999999999999999', expected how many rows there are"},
-           {head("-1") + v3, "line 7: '-1', expected how many rows there are"},
-           {head("1", "binary") + v3,
-            "line 2: 'binary', expected ascii, binary_little_endian or binary_big_endian"},
-           {"", "line 1: the file ends, expected 'ply'"},
-           {"plyx", "line 1: 'plyx', expected 'ply'"},
-           {"ply", "line 1: the file ends, expected 'end_header' and the data; the file was cut off"},
-           {std::string("ply\n\0", 5),
-            "line 2: the file ends, expected 'end_header' and the data; the file was cut off"},
-           {"ply\nformat ascii 2.0\n", "line 2: '2.0', expected version 1.0"},
-           {"ply\nformat ascii 1.0\nproperty float x\n",
-            "line 3: 'property', expected element, property, comment, obj_info or end_header"},
-           {"ply\nformat ascii 1.0\nelement vertex 3\nproperty real x\n",
-            "line 4: 'real', expected a type: char, uchar, short, ushort, int, uint, float or double"},
-           {"ply\nformat ascii 1.0\nelement vertex 3\nproperty list float int x\n",
-            "line 4: 'float', expected a type of whole numbers"},
-           {"ply\nformat ascii 1.0\nelement vertex 3\nelement vertex 3\n",
-            "line 4: 'vertex', expected an element of another name"},
-           {"ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty int x\n",
-            "line 5: 'x', expected a property of another name"},
-           {"ply\nformat ascii 1.0\nend_header\n", no_mesh + "'element vertex' and how many there are"},
-           {"ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nend_header\n0 0\n",
-            no_mesh + "properties x, y and z of the vertices"},
-           {"ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int "
-            "z\nend_header\n0 0 0\n",
-            no_mesh + "'element face' and how many there are"},
-           {"ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int "
-            "z\nelement face 1\n"
-            "property list uchar float vertex_indices\nend_header\n0 0 0\n3 0 0 0\n",
-            no_mesh + "'property list uchar int vertex_indices' of the faces"},
-       }) {
-    EXPECT_EQ(error_of(ply, write("a.ply", text)), error) << text;
-  }
-
-  const std::string whole = binary_ply(cube());
-  auto bad = cube();
-  bad.facets[3][1] = 8;
-  constexpr std::size_t row = 1 + 3 * 4;  // of a face
-  EXPECT_EQ(error_of(ply, write("b.ply", binary_ply(bad))),
-            "byte " + std::to_string(whole.size() - 9 * row + 1 + 2 * 4) +
-                ": before it vertex 8, expected 0 or more and less than 8, as many as there are");
-  EXPECT_NE(error_of(ply, write("c.ply", whole.substr(0, whole.size() - 5))).find("a list of 3 values"),
-            std::string::npos);
-  EXPECT_EQ(error_of(ply, write("d.ply", whole + "xy")),
-            "byte " + std::to_string(whole.size()) +
-                ": 2 bytes more, expected the end of the file, as the "
-                "header says");
 }
 
 // Each prefix of a good file ends, and quickly.
@@ -307,7 +173,7 @@ TEST_F(mesh_of_a_file, with_bytes_gone_wrong_is_valid_or_refused) {
   ph::testing::random_source random(seed);
   for (const auto& [name, read, good] : formats()) {
     int valid = 0, refused = 0;
-    for (int k = 0; k < 500; ++k) {
+    for (int k = 0; k < 150; ++k) {
       std::string text = good;
       const auto somewhere = [&] {
         return static_cast<std::size_t>(random.uniform(0.0, double(text.size())));
@@ -333,8 +199,8 @@ TEST_F(mesh_of_a_file, with_bytes_gone_wrong_is_valid_or_refused) {
       EXPECT_FALSE(error.starts_with("not so named")) << error;
       ++(error == "none" ? valid : refused);
     }
-    EXPECT_GT(refused, 50) << name;
-    EXPECT_GT(valid, 5) << name;
+    EXPECT_GT(refused, 15) << name;
+    EXPECT_GT(valid, 1) << name;
   }
 }
 

@@ -1,4 +1,4 @@
-// Files that go with the test.
+// Files that go with the test, and readers of them.
 #pragma once
 
 #include "mesh_formats.hpp"
@@ -9,12 +9,43 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace mesh_files {
 
 namespace fs = std::filesystem;
+
+using reader = std::function<ph::mesh_file(const fs::path&)>;
+inline const reader stl = [](const fs::path& p) { return ph::read_stl(p); },
+                    obj_file = [](const fs::path& p) { return ph::read_obj(p); },
+                    ply = [](const fs::path& p) { return ph::read_ply(p); };
+
+struct format {
+  const char* name;
+  reader read;
+  std::string cube;
+};
+inline std::vector<format> text_formats() {
+  return {{"ascii.stl", stl, ascii_stl(cube())},
+          {"cube.obj", obj_file, obj(cube())},
+          {"ascii.ply", ply, ascii_ply(cube())}};
+}
+inline std::vector<format> formats() {
+  auto all = text_formats();
+  all.push_back({"binary.stl", stl, binary_stl(cube())});
+  all.push_back({"little.ply", ply, binary_ply(cube())});
+  all.push_back({"big.ply", ply, binary_ply(cube(), std::endian::big)});
+  return all;
+}
+
+inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += by.size())
+    text.replace(at, what.size(), by);
+  return text;
+}
 
 struct in_a_folder : ::testing::Test {
   fs::path folder;
@@ -42,6 +73,18 @@ struct in_a_folder : ::testing::Test {
       return text.starts_with(start) ? text.substr(start.size()) : "not so named: " + text;
     }
     return "none";
+  }
+  ph::mesh_file obj_of(const std::string& text) const { return ph::read_obj(write("a.obj", text)); }
+  std::string obj_error(const std::string& text) const { return error_of(obj_file, write("a.obj", text)); }
+  std::string stl_error(const std::string& text) const { return error_of(stl, write("a.stl", text)); }
+  std::string ply_error(const std::string& text) const { return error_of(ply, write("a.ply", text)); }
+  // The cube as it was written, nothing turned or lost.
+  void expect_cube(const ph::mesh_file& file, const std::string& about) const {
+    const mesh all = cube();
+    ASSERT_EQ(file.mesh.facets.size(), all.facets.size()) << about;
+    for (std::size_t f = 0; f < all.facets.size(); ++f)
+      EXPECT_EQ(file.mesh.corners(f), all.corners(f)) << about << ", facet " << f;
+    EXPECT_EQ(file.slivers + file.not_triangles + file.twisted_quads, 0) << about;
   }
 };
 

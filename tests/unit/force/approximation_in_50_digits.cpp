@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 
 namespace ph = passive_haptics;
@@ -48,11 +47,10 @@ TYPED_TEST_SUITE(approximation_in_the_plane, scalars);
 TYPED_TEST(approximation_in_the_plane, is_exact_to_rounding_within_rounding_of_an_edge) {
   using T = TypeParam;
   using oracle::real;
-  const std::uint64_t seed = stress::first_seed(), count = stress::effort(5000, 100000);
+  const std::uint64_t seed = stress::first_seed(), count = stress::effort(1000, 100000);
   adversarial::cones<T, 2, 2> cones(seed);
   ph::testing::random_source random(seed);
   const T min_cosine = T(0.02);
-  double worst_force = 0, worst_torque = 0;
   std::uint64_t displayed = 0;
   for (std::uint64_t k = 0, checked = 0; checked < count; ++k) {
     const auto [E, n] = cones.draw();
@@ -77,12 +75,8 @@ TYPED_TEST(approximation_in_the_plane, is_exact_to_rounding_within_rounding_of_a
     const auto off = this->error_of(F, E, nearest);
     ASSERT_LE(off.force, 4);
     ASSERT_LE(off.torque, 4);
-    worst_force = std::max(worst_force, off.force);
-    worst_torque = std::max(worst_torque, off.torque);
   }
   EXPECT_GT(displayed, count / 2);
-  std::printf("worst error of the force %.2g eps, of a torque %.2g eps of %llu problems\n", worst_force,
-              worst_torque, static_cast<unsigned long long>(count));
 }
 
 }  // namespace

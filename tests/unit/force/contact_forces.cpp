@@ -71,32 +71,19 @@ TEST(check_contacts, finds_what_is_not_finite_in_each) {
   }
 }
 
-TEST(force_map, inverts_two_by_two_to_the_last_digits_of_each_entry) {
-  const auto map = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{2, 1}, {3, 4}});
-  EXPECT_TRUE(map.G.isApprox(ph::matrix<double, 2, 2>{{0.8, -0.6}, {-0.2, 0.4}}, 1e-15)) << map.G;
-  EXPECT_TRUE(map.P.isZero(0));
-  const double h = 0x1p-30;
-  const auto flat = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{1 + h, 1}, {1, 1 - h}});  // det -h^2
+TEST(force_map, inverts_what_has_an_inverse) {
+  const auto two = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{2, 1}, {3, 4}});
+  EXPECT_TRUE(two.G.isApprox(ph::matrix<double, 2, 2>{{0.8, -0.6}, {-0.2, 0.4}}, 1e-15)) << two.G;
+  const auto map =
+      ph::invert_brake_jacobian(ph::matrix<double, 3, 3>{{2, 1, 0.3}, {-1, 3, 0.7}, {0.1, 0.2, 1}});
+  EXPECT_TRUE(two.P.isZero(0) && map.P.isZero(0)) << map.P;
+  const double hair = 0x1p-30;
+  const auto flat = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{1 + hair, 1}, {1, 1 - hair}});
   EXPECT_FALSE(flat.P.isZero(0)) << "singular to rounding";
-  const auto steep = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{3, 1}, {1, 1 / 3.0 + h}});
-  const double det = 3 * h - (1 - 3 * (1 / 3.0));
-  EXPECT_NEAR(steep.G(1, 1) * h, 1, 1e-7);
-  EXPECT_NEAR(steep.G(0, 0) / steep.G(1, 1), (1 / 3.0 + h) / 3, 1e-16);
-  EXPECT_NEAR(steep.G(0, 1) / steep.G(1, 1), -1 / 3.0, 1e-16);
-  EXPECT_GT(det, 0);
-}
-
-TEST(force_map, inverts_two_by_two_that_is_nearly_singular) {
   for (const double h : {0x1p-20, 0x1p-24}) {  // det E = -h
     const auto map = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{1, 1}, {1 + h, 1}});
     EXPECT_EQ(map.G, (ph::matrix<double, 2, 2>{{-1, 1 + h}, {1, -1}} / h)) << h;
   }
-}
-
-TEST(force_map, of_what_has_an_inverse_leaves_no_torque_over) {
-  const auto map =
-      ph::invert_brake_jacobian(ph::matrix<double, 3, 3>{{2, 1, 0.3}, {-1, 3, 0.7}, {0.1, 0.2, 1}});
-  EXPECT_TRUE(map.P.isZero(0)) << map.P;
 }
 
 TEST(force_map, of_what_has_no_inverse_is_the_least_norm_and_the_rest) {
@@ -106,21 +93,6 @@ TEST(force_map, of_what_has_no_inverse_is_the_least_norm_and_the_rest) {
   const auto singular = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{1, 2}, {0, 0}});
   EXPECT_TRUE(singular.G.isApprox(ph::matrix<double, 2, 2>{{0.2, 0.4}, {0, 0}}, 1e-14)) << singular.G;
   EXPECT_TRUE(singular.P.isApprox(ph::matrix<double, 2, 2>{{0.8, -0.4}, {-0.4, 0.2}}, 1e-14)) << singular.P;
-}
-
-TEST(contact_forces, meet_what_is_first_before_the_others) {
-  const auto made = [](double most, bool first_is_first) {
-    return ph::contact_forces<double, 2, 2, 3>(
-        axes, ph::torques_within<double, 2>({0, 0}, {most, most}),
-        {{{{0.6, 0.8}, 5, first_is_first}, {{1, 0}, 2, !first_is_first}, {{1, 0}, 4, false}}}, 3);
-  };
-  const auto last = made(9, false), first = made(9, true), cut = made(3, true);
-  EXPECT_TRUE(last.force.isApprox(pair(2, 4.75), 1e-14)) << last.force.transpose();
-  EXPECT_TRUE(first.force.isApprox(pair(3, 4), 1e-14)) << first.force.transpose() << " halfway from 2 to 4";
-  EXPECT_NEAR(first.displayed[0], 5, 1e-14);
-  EXPECT_NEAR(first.displayed[1], 3, 1e-14);
-  EXPECT_NEAR(first.displayed[2], 3, 1e-14);
-  EXPECT_EQ(cut.torque, pair(3, 3));
 }
 
 TEST(contact_forces, take_the_least_drag) {

@@ -1,19 +1,21 @@
 // slow, optimised, no sanitizers
 // Several contacts: the torques are the best in the stated order of priority, against every face of the
-// torque box.
+// torque box, in long double.
 #include "priorities_oracle.hpp"
 
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/torques/contact_forces.hpp>
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <random>
 
 namespace ph = passive_haptics;
 
 namespace {
+
+using Real = long double;
+constexpr Real tie = 1e-15L;
 
 template <int D, int Brakes>
 struct random_case {
@@ -60,7 +62,7 @@ random_case<D, Brakes> draw(std::mt19937_64& engine) {
   return c;
 }
 
-template <class Real, int D, int Brakes>
+template <int D, int Brakes>
 std::vector<oracle::level<Real>> levels_of(const random_case<D, Brakes>& c) {
   std::vector<oracle::level<Real>> levels;
   for (const bool first : {true, false}) {
@@ -99,12 +101,10 @@ std::vector<oracle::level<Real>> levels_of(const random_case<D, Brakes>& c) {
 
 struct tally {
   int met = 0, reported = 0;
-  double worst_left = 0;  // |n . (Fh + F)| / |Fh| where the oracle meets all contacts being left
-  double worst_cost = 0;  // excess of a level's cost over the oracle's, relative to what the level is about
 };
 
-template <class Real, int D, int Brakes>
-void compare(int cases, unsigned seed, double tie, tally& sum) {
+template <int D, int Brakes>
+void compare(int cases, unsigned seed, tally& sum) {
   SCOPED_TRACE(::testing::Message() << "d = " << D << ", m = " << Brakes << ", seed " << seed);
   std::mt19937_64 engine(seed);
   for (int k = 0; k < cases; ++k) {
@@ -113,19 +113,18 @@ void compare(int cases, unsigned seed, double tie, tally& sum) {
     ASSERT_TRUE((answer.torque.array() >= c.box.lower.array()).all()) << "case " << k;
     ASSERT_TRUE((answer.torque.array() <= c.box.upper.array()).all()) << "case " << k;
 
-    const auto levels = levels_of<Real>(c);
+    const auto levels = levels_of(c);
     oracle::list<Real> lower, upper, torque;
     for (int i = 0; i < Brakes; ++i) {
       lower.push_back(c.box.lower[i]);
       upper.push_back(c.box.upper[i]);
       torque.push_back(answer.torque[i]);
     }
-    const auto best = oracle::solve_by_faces<Real>(levels, lower, upper, Real(tie));
+    const auto best = oracle::solve_by_faces<Real>(levels, lower, upper, tie);
     const auto best_costs = oracle::costs(levels, best), costs = oracle::costs(levels, torque);
     for (std::size_t l = 0; l < levels.size(); ++l) {
       const Real about = 1 + best_costs[l] + oracle::length(levels[l].targets);
       const double excess = static_cast<double>((costs[l] - best_costs[l]) / about);
-      sum.worst_cost = std::max(sum.worst_cost, excess);
       ASSERT_LE(excess, 1e-9) << "case " << k << ", level " << l;
       if (excess < -1e-9) break;  // a better level pays for worse ones after it; the oracle's ties are looser
     }
@@ -141,7 +140,6 @@ void compare(int cases, unsigned seed, double tie, tally& sum) {
       const double left = std::abs(answer.displayed[static_cast<std::size_t>(j)] - demand.force) / c.hand;
       if (allowed) {
         ++sum.met;
-        sum.worst_left = std::max(sum.worst_left, left);
         ASSERT_LE(left, 1e-12) << "case " << k << ", contact " << j;
       } else {
         ++sum.reported;
@@ -152,31 +150,16 @@ void compare(int cases, unsigned seed, double tie, tally& sum) {
 }
 
 void record(const tally& sum) {
-  ::testing::Test::RecordProperty("met", sum.met);
-  ::testing::Test::RecordProperty("reported", sum.reported);
-  std::printf(
-      "contacts being left: %d met, worst |n.(Fh + F)| / |Fh| = %.1e; %d not possible, reported; worst level "
-      "%.1e\n",
-      sum.met, sum.worst_left, sum.reported, sum.worst_cost);
   EXPECT_GT(sum.met, 100);
   EXPECT_GT(sum.reported, 100);
 }
 
 }  // namespace
 
-TEST(contact_forces, are_the_best_in_the_order_of_priority_in_the_plane) {
-  using std::abs;
+TEST(contact_forces, are_the_best_in_the_order_of_priority) {
   tally sum;
-  compare<long double, 2, 2>(40000, 11, 1e-15, sum);
-  compare<long double, 2, 3>(10000, 12, 1e-15, sum);
-  compare<long double, 2, 4>(5000, 13, 1e-15, sum);
-  record(sum);
-}
-
-TEST(contact_forces, are_the_best_in_the_order_of_priority_in_space) {
-  tally sum;
-  compare<long double, 3, 3>(40000, 21, 1e-15, sum);
-  compare<long double, 3, 4>(5000, 22, 1e-15, sum);
+  compare<2, 4>(3000, 13, sum);
+  compare<3, 3>(5000, 21, sum);
   record(sum);
 }
 
@@ -184,20 +167,8 @@ TEST(contact_forces, are_the_best_in_the_order_of_priority_in_space) {
 // what releases a bound must tell a multiplier from rounding and may not give up.
 TEST(contact_forces, are_the_best_where_several_bounds_meet) {
   tally sum;
-  compare<long double, 2, 3>(600, 1000, 1e-15, sum);
-  compare<long double, 2, 4>(900, 1001, 1e-15, sum);
-  compare<long double, 2, 4>(2500, 1009, 1e-15, sum);
-  compare<long double, 3, 4>(800, 1015, 1e-15, sum);
-  compare<long double, 3, 4>(1000, 1023, 1e-15, sum);
-  record(sum);
-}
-
-TEST(contact_forces, are_the_best_in_50_digits) {
-  tally sum;
-  using real =
-      boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-  compare<real, 2, 2>(300, 31, 1e-30, sum);
-  compare<real, 3, 3>(100, 32, 1e-30, sum);
+  compare<2, 4>(900, 1001, sum);
+  compare<2, 4>(2500, 1009, sum);
   record(sum);
 }
 
@@ -206,7 +177,7 @@ TEST(contact_forces, of_one_contact_are_those_of_direct_control) {
   std::mt19937_64 engine(41);
   std::normal_distribution<double> gauss;
   int displayed = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 4000; ++k) {
     SCOPED_TRACE(::testing::Message() << "case " << k << ", seed 41");
     ph::matrix<double, 3, 3> E;
     for (auto& x : E.reshaped()) x = 0.2 * gauss(engine);
@@ -226,5 +197,5 @@ TEST(contact_forces, of_one_contact_are_those_of_direct_control) {
     ASSERT_LE((answer.force - wanted * Fc.force).norm(), 1e-14 * condition * size);
     ASSERT_NEAR(answer.displayed[0], wanted, 1e-13 * condition);
   }
-  EXPECT_GT(displayed, 5000);
+  EXPECT_GT(displayed, 1000);
 }

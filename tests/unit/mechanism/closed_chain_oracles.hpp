@@ -1,14 +1,15 @@
-// The closed chains by their constraint equations alone, in 50 digits.
+// Closed chains by nothing but their constraint equations, in 50 digits, and the chains that are tested.
 #pragma once
 
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
+#include <gtest/gtest.h>
 #include <Eigen/LU>
 
-#include <string>
-#include <vector>
+#include <limits>
+#include <numbers>
 
 #include "../high_precision.hpp"
 
@@ -147,5 +148,73 @@ figures<Oracle::N> conditioning(const Oracle& truth, const vec<Oracle::N>& x, co
   result.type_2 = abs(real(unit.determinant()));
   return result;
 }
+
+using ph::testing::random_source;
+
+inline constexpr unsigned seed = 7;
+inline constexpr double eps = std::numeric_limits<double>::epsilon();
+inline constexpr double pi = std::numbers::pi;
+
+using five_bar = ph::five_bar<double>;
+using delta = ph::delta<double>;
+
+struct lopsided_five_bar {
+  using mechanism = ph::five_bar<double, 4>;
+  static auto parameters() {
+    ph::five_bar_parameters<double, 4> p;
+    p.base_distance = 0.04, p.proximal_1 = 0.07, p.proximal_2 = 0.09, p.distal_1 = 0.12, p.distal_2 = 0.1;
+    p.rotor_inertia = {1e-5, 2e-5, 3e-5, 4e-5}, p.gravity = {1, -9.81};
+    return p;
+  }
+};
+struct coaxial_five_bar {
+  using mechanism = five_bar;
+  static auto parameters() {
+    ph::five_bar_parameters<double> p;
+    p.base_distance = 0, p.distal_2 = 0.07, p.assembly = ph::five_bar_assembly::right;
+    return p;
+  }
+};
+// Arms so long that the forearms can come to lie in one plane.
+struct long_armed_delta {
+  using mechanism = delta;
+  static auto parameters() {
+    ph::delta_parameters<double> p;
+    p.upper_arm = 0.12, p.forearm = 0.1, p.assembly = ph::delta_assembly::upper;
+    p.rotor_inertia = {1e-5, 2e-5, 3e-5}, p.gravity = {1, 2, -9.81};
+    return p;
+  }
+};
+
+template <class Case>
+class closed_chain : public ::testing::Test {
+ protected:
+  using mechanism = typename Case::mechanism;
+  static constexpr int dof = mechanism::dof;
+  using joints = ph::vector<double, dof>;
+  const oracle<mechanism> truth{Case::parameters()};
+  const mechanism chain{Case::parameters()};
+  random_source random{seed};
+
+  joints any_pose() { return random.between<double, dof>(joints::Constant(-pi), joints::Constant(pi)); }
+
+  // A pose where the loop closes and both figures are at least `least`
+  joints closed_pose(double least = 0.05) {
+    for (;;) {
+      const joints q = any_pose();
+      const auto c = chain.conditioning(q);
+      if (c.type_1 >= least && c.type_2 >= least) return q;
+    }
+  }
+
+  // Handle of the chain's own assembly in 50 digits: the library's formula, which the constraints below
+  // confirm
+  vec<dof> handle(const vec<dof>& q) const { return chain.position(q); }
+
+  double length() const { return double(truth.distal(0)); }
+};
+
+// Both mechanisms, either assembly, two brakes and four
+using cases = ::testing::Types<lopsided_five_bar, coaxial_five_bar, long_armed_delta>;
 
 }  // namespace closed_chains

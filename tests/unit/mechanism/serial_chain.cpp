@@ -1,4 +1,6 @@
 // slow, no sanitizers
+// Serial chains: as two_link, as the product of exponentials in 50 digits, as a table of Denavit and
+// Hartenberg.
 #include <passive_haptics/mechanism/chains/denavit_hartenberg.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
@@ -34,7 +36,7 @@ ph::serial_chain_with_inertia<T, 2, 2> chain_like(const ph::two_link_parameters<
 
 TEST(serial_chain, with_two_planar_joints_equals_two_link) {
   random_source random(seed);
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 200; ++k) {
     ph::two_link_parameters<double> p;
     for (double* x : {&p.length_1, &p.length_2, &p.mass_1, &p.mass_2, &p.handle_mass, &p.rotor_inertia_1,
                       &p.rotor_inertia_2})
@@ -117,9 +119,10 @@ struct oracle {
   }
 };
 
+// With a slide in the plane and in space, with gravity
 using sampled_chains =
-    ::testing::Types<chains::irregular_chain<double, 2, 2>, chains::irregular_chain<double, 5, 2>,
-                     chains::irregular_chain<double, 3, 3>, chains::irregular_chain<double, 6, 3>>;
+    ::testing::Types<chains::irregular_chain<double, 5, 2>, chains::irregular_chain<double, 3, 3>,
+                     chains::irregular_chain<double, 6, 3>>;
 
 template <class Case>
 class chain_oracle : public ::testing::Test {
@@ -136,7 +139,7 @@ TYPED_TEST_SUITE(chain_oracle, sampled_chains);
 
 TYPED_TEST(chain_oracle, position_is_the_product_of_exponentials) {
   constexpr int N = TestFixture::dof, D = TestFixture::dimension;
-  for (int k = 0; k < 100; ++k) {
+  for (int k = 0; k < 40; ++k) {
     const ph::vector<double, N> q = this->pose();
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose());
     const vec<D> expected = this->truth.moved(N - 1, exact(this->truth.geometry.handle), exact(q));
@@ -173,7 +176,7 @@ TYPED_TEST(chain_oracle, bias_torque_at_rest_is_the_gradient_of_the_potential_en
 
 TEST(serial_chain, follows_its_denavit_hartenberg_table) {
   random_source random(seed);
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < 50; ++k) {
     std::array<ph::dh_joint<double>, 5> table;
     for (auto& row : table)
       row = {random.coin() ? ph::joint_kind::revolute : ph::joint_kind::prismatic, random.uniform(-0.3, 0.3),
@@ -198,58 +201,17 @@ TEST(serial_chain, follows_its_denavit_hartenberg_table) {
   }
 }
 
-// A number that counts its sines and cosines.
-struct counting {
-  double value = 0;
-  static inline int calls = 0;
-  counting() = default;
-  counting(double v) : value(v) {}
-  counting& operator+=(const counting& b) { return value += b.value, *this; }
-  friend counting operator+(const counting& a, const counting& b) { return a.value + b.value; }
-  friend counting operator-(const counting& a, const counting& b) { return a.value - b.value; }
-  friend counting operator*(const counting& a, const counting& b) { return a.value * b.value; }
-  friend counting sin(const counting& a) { return ++calls, std::sin(a.value); }
-  friend counting cos(const counting& a) { return ++calls, std::cos(a.value); }
-};
-
-TEST(serial_chain, takes_one_sine_and_one_cosine_for_each_revolute_joint) {
-  const auto calls = []<class Chain>(const Chain& chain) {
-    ph::vector<counting, Chain::dof> q;
-    for (int i = 0; i < Chain::dof; ++i) q[i] = counting(0.1 * i);
-    counting::calls = 0;
-    const auto x = chain.position(q);
-    ph::vector<double, Chain::dof> same;
-    for (int i = 0; i < Chain::dof; ++i) same[i] = q[i].value;
-    EXPECT_NEAR(x[0].value, chain.position(same)[0], 1e-15);
-    return counting::calls;
-  };
-  EXPECT_EQ(calls(chains::irregular_chain<double, 6, 3>::make()), 2 * 6);
-  EXPECT_EQ(calls(chains::irregular_chain<double, 7, 3>::make()), 2 * 6);  // one slides
-  EXPECT_EQ(calls(chains::irregular_chain<double, 4, 2>::make()), 2 * 4);
-}
-
-TEST(serial_chain, of_slides_alone_is_a_table) {
-  ph::serial_chain_parameters<double, 2, 2> p;
-  p.joints = {ph::prismatic_joint<double, 2>({3, 0}), ph::prismatic_joint<double, 2>({0, 5})};
-  p.handle = {0.1, 0.2};
-  const ph::serial_chain<double, 2, 2> table(p);
-  EXPECT_EQ(table.position(ph::vector<double, 2>(0.3, -0.4)), (ph::vector<double, 2>(0.1 + 0.3, 0.2 - 0.4)));
-  EXPECT_EQ(table.jacobian({0.3, -0.4}), (ph::matrix<double, 2, 2>::Identity()));
-}
-
 TEST(serial_chain, says_which_parameter_is_wrong) {
-  using geometry = ph::serial_chain_parameters<double, 3, 3>;
-  const geometry good = chains::irregular_chain<double, 3, 3>::geometry();
+  const auto good = chains::irregular_chain<double, 3, 3>::geometry();
   EXPECT_EQ(validate(good), "");
-  EXPECT_EQ(validate(geometry()), "joints[0].|axis| = 0, expected a direction");
-  geometry p = good;
+  auto p = good;
   p.joints[2].axis.setZero();
   EXPECT_EQ(validate(p), "joints[2].|axis| = 0, expected a direction");
   p = good;
   p.joints[0].point[1] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(validate(p), "joints[0].point[1] [m] = inf, expected a finite number");
   p = good;
-  p.handle = geometry().handle;
+  p.handle = ph::serial_chain_parameters<double, 3, 3>().handle;
   EXPECT_EQ(validate(p), "handle[0] [m] = nan, expected a finite number");
   EXPECT_THROW((ph::serial_chain<double, 3, 3>(p)), std::invalid_argument);
 }
@@ -263,23 +225,15 @@ TEST(serial_chain, says_which_inertia_is_wrong) {
   p.links[1].about_centre(0, 1) += 1;
   EXPECT_EQ(validate(p),
             "links[1].about_centre [kg m^2] is not finite and symmetric, expected a finite symmetric matrix");
-  p.links[1].about_centre = ph::vector<double, 3>(1, 1, 2.001).asDiagonal();
-  EXPECT_EQ(validate(p),
-            "links[1].about_centre [kg m^2] has a principal moment over the sum of the other two, "
-            "expected that of a rigid body");
-  p.links[1].about_centre = ph::vector<double, 3>(1, 1, 2).asDiagonal();  // a disc
-  EXPECT_EQ(validate(p), "");
-  p.links[1].about_centre = ph::vector<double, 3>(-1, 1, 1).asDiagonal();
-  EXPECT_NE(validate(p), "");
-  p = good;
-  p.rotor_inertia[2] = -1;
-  EXPECT_EQ(validate(p), "rotor_inertia[2] [kg m^2 or kg] = -1, expected a finite number >= 0");
-  p = good;
-  p.handle_mass = -1;
-  EXPECT_EQ(validate(p), "handle_mass [kg] = -1, expected a finite number >= 0");
-  p = good;
-  p.gravity[2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(validate(p), "gravity[2] [m/s^2] = nan, expected a finite number");
+  const auto error_of = [&](double last) {
+    p.links[1].about_centre = ph::vector<double, 3>(1, 1, last).asDiagonal();
+    return validate(p);
+  };
+  EXPECT_EQ(error_of(2), "") << "a disc";
+  for (const double last : {2.001, -1.0})
+    EXPECT_EQ(error_of(last),
+              "links[1].about_centre [kg m^2] has a principal moment over the sum of the other two, "
+              "expected that of a rigid body");
 }
 
 static_assert(ph::Mechanism<ph::serial_chain<float, 2, 2>> && ph::Mechanism<ph::serial_chain<double, 7, 3>>);

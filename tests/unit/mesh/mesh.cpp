@@ -3,7 +3,6 @@
 // approximates.
 #include <passive_haptics/scene/mesh/mesh_solid.hpp>
 #include <passive_haptics/scene/shapes/box.hpp>
-#include <passive_haptics/scene/shapes/convex_polygon.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
@@ -21,7 +20,6 @@ namespace {
 
 constexpr unsigned seed = 20040627;
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 template <int D>
 ph::point<D> anywhere(random_source& random, double size) {
@@ -89,7 +87,7 @@ double searched_distance(const std::array<ph::point<D>, std::size_t(D)>& c, cons
 TYPED_TEST(a_mesh, facet_has_the_nearest_point_that_a_search_finds) {
   constexpr int D = TestFixture::dimension;
   random_source random(seed);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 100; ++k) {
     std::array<ph::point<D>, std::size_t(D)> corners;
     for (auto& c : corners) c = anywhere<D>(random, 1);
     if (k % 3 == 0) corners[D - 1] = corners[0] + random.positive(1e-4, 1e-1) * random.direction<double, D>();
@@ -104,7 +102,7 @@ TYPED_TEST(a_mesh, facet_has_the_nearest_point_that_a_search_finds) {
 
 TEST(a_needle, still_has_its_nearest_point) {
   random_source random(seed);
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 300; ++k) {
     const ph::point<3> a = anywhere<3>(random, 1), along = random.direction<double, 3>();
     const double width = random.positive(1e-9, 1e-3);
     const ph::point<3> across = ph::cross<double>(along, random.direction<double, 3>()).normalized();
@@ -129,7 +127,7 @@ TYPED_TEST(a_mesh, of_any_star_is_as_near_as_a_scan_says_and_on_the_same_side) {
     ASSERT_EQ(m.hole(), "");
     const ph::mesh_solid<D> solid(m);
     int guess = 0, inside = 0;
-    for (int k = 0; k < 3000; ++k) {
+    for (int k = 0; k < 500; ++k) {
       ph::point<D> x = anywhere<D>(random, 1.2);
       if (k % 3 == 0) {  // near a corner, where the side is hardest to tell
         const auto at = static_cast<std::size_t>(random.uniform(0.0, double(p.vertices.size())));
@@ -147,8 +145,8 @@ TYPED_TEST(a_mesh, of_any_star_is_as_near_as_a_scan_says_and_on_the_same_side) {
           << "seed " << seed << ", point " << k << " of a star of " << around;
       ASSERT_NEAR(solid.distance(x - solid.distance(x) * solid.gradient(x)), 0, 64 * eps);
     }
-    EXPECT_GT(inside, 200);
-    EXPECT_LT(inside, 2800);
+    EXPECT_GT(inside, 30);
+    EXPECT_LT(inside, 470);
   }
 }
 
@@ -161,7 +159,7 @@ TYPED_TEST(a_mesh, of_a_box_is_the_box) {
   EXPECT_EQ(solid.bounds().lower, -half);
   EXPECT_EQ(solid.bounds().upper, half);
   EXPECT_NEAR(solid.surface().content(), std::pow(2, D) * half.prod(), 4 * eps);
-  for (int k = 0; k < 10'000; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     const auto x = anywhere<D>(random, 1);
     ASSERT_NEAR(solid.distance(x), box.distance(x), 4 * eps) << "seed " << seed << ", x = " << x.transpose();
     ASSERT_LE((solid.gradient(x) - box.gradient(x)).norm(), 1e-12 / std::abs(box.distance(x)));
@@ -174,37 +172,6 @@ TYPED_TEST(a_mesh, of_a_box_is_the_box) {
     EXPECT_EQ(solid.gradient(half[0] * ph::point<D>::UnitX() + t * ph::point<D>::UnitX()),
               ph::point<D>::UnitX());
   }
-}
-
-TYPED_TEST(a_mesh, that_has_a_bubble_is_solid_between_the_two_surfaces) {
-  constexpr int D = TestFixture::dimension;
-  const auto cube = [](double r) {
-    return sample_meshes::box<D>(ph::point<D>::Constant(-r), ph::point<D>::Constant(r));
-  };
-  const ph::mesh_solid<D> shell(
-      ph::mesh<D>(sample_meshes::both(cube(1), sample_meshes::inside_out(cube(0.5)))));
-  EXPECT_EQ(shell.distance(ph::point<D>::Zero()), 0.5);
-  EXPECT_EQ(shell.distance(0.75 * ph::point<D>::UnitX()), -0.25);
-  EXPECT_EQ(shell.distance(2 * ph::point<D>::UnitX()), 1);
-}
-
-TYPED_TEST(a_mesh, gives_no_number_for_no_number) {
-  constexpr int D = TestFixture::dimension;
-  random_source random(seed);
-  const ph::mesh_solid<D> solid(ph::mesh<D>(sample_meshes::star<D>(random, 12)));
-  for (int i = 0; i < D; ++i) {
-    ph::point<D> x = ph::point<D>::Zero();
-    x[i] = no_number;
-    EXPECT_TRUE(std::isnan(solid.distance(x)));
-  }
-}
-
-TYPED_TEST(a_mesh, is_shared_by_its_copies) {
-  constexpr int D = TestFixture::dimension;
-  random_source random(seed);
-  const ph::mesh<D> m(sample_meshes::star<D>(random, 12));
-  const ph::mesh<D> copy = m;
-  EXPECT_EQ(&copy[0], &m[0]);
 }
 
 }  // namespace

@@ -79,16 +79,6 @@ TYPED_TEST(a_mesh_surface, stops_what_comes_from_the_front) {
   EXPECT_TRUE(h.felt.empty());
 }
 
-TYPED_TEST(a_mesh_surface, has_slabs_that_stop_what_falls_alone) {
-  constexpr int D = TestFixture::dimension;
-  const ph::mesh<D> m(plate<D>());
-  const ph::detail::facet_slab<D> slab{m[0], skin, lip};
-  const ph::point<D> within = at_height<D>(0.5 * skin), up = 0.1 * skin * ph::point<D>::Unit(D - 1);
-  EXPECT_EQ(slab.stop(within, -up), 0);
-  EXPECT_GT(slab.stop(within, up), 1);
-  EXPECT_GT(slab.stop(within, ph::point<D>::UnitX()), 1);
-}
-
 TYPED_TEST(a_mesh_surface, is_free_from_the_back_and_beside_its_rim) {
   constexpr int D = TestFixture::dimension;
   handle<D> h(surface_of(plate<D>()));
@@ -111,23 +101,14 @@ TYPED_TEST(a_mesh_surface, is_free_from_the_back_and_beside_its_rim) {
   EXPECT_FALSE(h.memory.held);
 }
 
-TYPED_TEST(a_mesh_surface, leaves_a_handle_in_its_skin_free_until_it_falls) {
+TYPED_TEST(a_mesh_surface, leaves_a_handle_free_in_its_skin_and_at_its_proxy) {
   constexpr int D = TestFixture::dimension;
   handle<D> h(surface_of(cube<D>()));
-  ph::point<D> x = at_height<D>(1 + 0.5 * skin);
-  h.go(x);
+  h.go(at_height<D>(1 + 0.5 * skin));
   EXPECT_FALSE(h.memory.held);
   EXPECT_TRUE(h.felt.empty());
-  x[D - 1] = 0.9;
-  h.go(x);
+  h.go(at_height<D>(0.9));
   EXPECT_EQ(h.felt.size(), 1u);
-}
-
-TYPED_TEST(a_mesh_surface, lets_a_handle_go_that_comes_back_to_its_proxy) {
-  constexpr int D = TestFixture::dimension;
-  handle<D> h(surface_of(plate<D>()));
-  h.go(at_height<D>(0.5));
-  h.go(at_height<D>(-0.1));
   ASSERT_TRUE(h.memory.held);
   h.go(h.proxy());
   EXPECT_FALSE(h.memory.held);
@@ -150,7 +131,7 @@ ph::mesh_parameters<D> roof(double angle) {
 TYPED_TEST(a_mesh_surface, is_followed_over_a_ridge_in_one_cycle) {
   constexpr int D = TestFixture::dimension;
   random_source random(seed);
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 300; ++k) {
     const double angle = random.uniform(50.0, 85.0) * std::numbers::pi / 180;
     handle<D> h(surface_of(roof<D>(angle)));
     // Of a side of 1 or -1, as far down from the ridge and as deep
@@ -188,7 +169,7 @@ TEST(a_funnel, is_never_left_however_many_sides_hold) {
   handle<3> h(surface_of(p));
   h.go({0, 0, 0.5});
   int most = 0;
-  for (int k = 0; k < 2000; ++k) {
+  for (int k = 0; k < 300; ++k) {
     const double angle = 0.7 * k;
     h.go({0.4 * std::cos(angle), 0.4 * std::sin(angle), -0.5});
     ASSERT_FALSE(h.felt.empty()) << k;
@@ -204,7 +185,7 @@ TYPED_TEST(a_mesh_surface, holds_with_the_thinnest_skin_what_goes_the_furthest) 
   random_source random(seed);
   const ph::mesh<D> room(sample_meshes::inside_out(cube<D>()));
   handle<D> h(ph::mesh_surface<D>(ph::mesh_surface_parameters<D>{room, 1e-9}));
-  for (int k = 0; k < 2000; ++k) {
+  for (int k = 0; k < 500; ++k) {
     if (k % 10 == 0) h.go(0.5 * random.direction<double, D>());
     h.go(random.positive(1.0, 1e9) * 1e3 * random.direction<double, D>());
     ASSERT_TRUE(h.memory.held) << "seed " << seed << ", handle " << k;
@@ -235,53 +216,21 @@ TYPED_TEST(a_mesh_surface, that_is_thin_is_not_popped_through) {
   }
 }
 
-TYPED_TEST(a_mesh_surface, stops_a_leap_through_all_of_it) {
+// Through the nearest facet; a metre is small so far out, but no less solid.
+TYPED_TEST(a_mesh_surface, takes_a_handle_within_it_for_come_through_a_facet_far_from_the_origin_too) {
   constexpr int D = TestFixture::dimension;
-  random_source random(seed);
-  const auto shape = surface_of(cube<D>(0.3));
-  for (int k = 0; k < 1000; ++k) {
-    const auto aside = [&](double along) {
-      ph::point<D> x = random.between<double, D>(ph::point<D>::Constant(-0.25), ph::point<D>::Constant(0.25));
-      x[k % D] = along;
-      return x;
-    };
-    const double side = k % 2 == 0 ? 1 : -1;
-    handle<D> h(shape);
-    h.go(aside(side));
-    h.go(aside(-side));
-    ASSERT_EQ(h.felt.size(), 1u) << "seed " << seed << ", leap " << k;
-    EXPECT_EQ(h.felt[0].normal, side * ph::point<D>::Unit(k % D));
-    EXPECT_NEAR(h.felt[0].depth, 1.3, 1e-15);
-    h.go(aside(side));
-    EXPECT_TRUE(h.felt.empty());
+  for (const double side : {1.0, -1.0}) {
+    for (const double away : {0.0, 1e5}) {
+      auto p = side < 0 ? sample_meshes::inside_out(cube<D>()) : cube<D>();
+      const ph::point<D> far = ph::point<D>::Constant(away);
+      for (auto& v : p.vertices) v += far;
+      handle<D> h(ph::mesh_surface<D>({.surface = ph::mesh<D>(p), .skin = away > 0 ? 1e-3 : skin}));
+      h.go(far + (1 - side * 0.2) * ph::point<D>::UnitX());
+      ASSERT_EQ(h.felt.size(), 1u);
+      EXPECT_EQ(h.felt[0].normal, side * ph::point<D>::UnitX());
+      EXPECT_NEAR(h.felt[0].depth, 0.2, away > 0 ? 1e-10 : 1e-15);
+    }
   }
-}
-
-TYPED_TEST(a_mesh_surface, takes_a_handle_within_it_for_come_through_the_nearest_facet) {
-  constexpr int D = TestFixture::dimension;
-  for (const bool hollow : {false, true}) {
-    handle<D> h(surface_of(hollow ? sample_meshes::inside_out(cube<D>()) : cube<D>()));
-    const double side = hollow ? -1 : 1;
-    h.go((1 - side * 0.2) * ph::point<D>::UnitX());
-    ASSERT_EQ(h.felt.size(), 1u);
-    EXPECT_EQ(h.felt[0].normal, side * ph::point<D>::UnitX());
-    EXPECT_NEAR(h.felt[0].depth, 0.2, 1e-15);
-    handle<D> outside(h.shape);
-    EXPECT_NEAR(outside.go((1 + side * 0.2) * ph::point<D>::UnitX()), 0.2, 1e-6);
-  }
-}
-
-// A metre is small so far out, but no less solid.
-TYPED_TEST(a_mesh_surface, is_as_solid_far_from_the_origin) {
-  constexpr int D = TestFixture::dimension;
-  auto p = cube<D>();
-  const ph::point<D> far = ph::point<D>::Constant(1e5);
-  for (auto& v : p.vertices) v += far;
-  handle<D> h(ph::mesh_surface<D>({.surface = ph::mesh<D>(p), .skin = 1e-3}));
-  h.go(far + 0.8 * ph::point<D>::UnitX());
-  ASSERT_EQ(h.felt.size(), 1u);
-  EXPECT_EQ(h.felt[0].normal, ph::point<D>::UnitX());
-  EXPECT_NEAR(h.felt[0].depth, 0.2, 1e-10);
 }
 
 TYPED_TEST(a_mesh_surface, takes_any_handle_within_a_star_for_come_through_a_facet) {
@@ -289,7 +238,7 @@ TYPED_TEST(a_mesh_surface, takes_any_handle_within_a_star_for_come_through_a_fac
   random_source random(seed);
   for (const int around : {5, 9, 24}) {
     const auto shape = surface_of(sample_meshes::star<D>(random, around));
-    for (int k = 0; k < 2000; ++k) {
+    for (int k = 0; k < 500; ++k) {
       const ph::point<D> x = random.uniform(0.0, 1.0) * random.direction<double, D>();
       const double distance = shape.surface().signed_distance(x, shape.surface().nearest(x));
       handle<D> h(shape);
@@ -350,35 +299,6 @@ TYPED_TEST(a_mesh_surface, hit_at_its_edges_and_corners_holds) {
   }
 }
 
-// The smooth hollow of a ball: one contact, through whichever facets it is felt.
-TYPED_TEST(a_mesh_surface, that_is_smooth_makes_one_contact) {
-  constexpr int D = TestFixture::dimension;
-  random_source random(seed);
-  const auto p = [&] {
-    const auto same = [&](const auto&) { return 1.0; };
-    if constexpr (D == 2) return sample_meshes::ring(200, same);
-    else return sample_meshes::globe(200, 100, same);
-  }();
-  const double error = sample_meshes::sagitta(p, 1);
-  for (const bool hollow : {false, true}) {
-    handle<D> h(surface_of(hollow ? sample_meshes::inside_out(p) : p));
-    const double side = hollow ? -1 : 1;
-    ph::point<D> u = ph::point<D>::UnitX(), before = u;
-    h.go((1 + side * 0.1) * u);
-    for (int k = 0; k < 3000; ++k) {
-      u = (u + 3e-3 * random.normal_vector<double, D>()).normalized();
-      const double depth = random.uniform(1e-3, 1e-2);
-      h.go((1 - side * depth) * u);
-      ASSERT_EQ(h.felt.size(), 1u) << "seed " << seed << ", cycle " << k;
-      // Where the proxy is, the normal is off by half the angle between neighbours or by how far the proxy
-      // lags.
-      EXPECT_GT(h.felt[0].normal.dot(side * u), std::cos(hollow ? 0.03 : 0.07)) << "cycle " << k;
-      EXPECT_NEAR(h.felt[0].depth, depth, error + 1e-4) << "cycle " << k;
-      before = u;
-    }
-  }
-}
-
 // A leap across several facets of it: the proxy gets there in the same cycle.
 TEST(a_smooth_hollow, is_followed_over_many_facets_at_once) {
   random_source random(seed);
@@ -407,7 +327,7 @@ TYPED_TEST(a_mesh_surface, keeps_its_proxy_at_the_height_of_the_skin) {
   }();
   handle<D> h(surface_of(p));
   h.go(2 * ph::point<D>::UnitX());
-  for (int k = 0; k < 5000; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     const double angle = 0.03 * k;
     h.go(0.7 * (std::cos(angle) * ph::point<D>::UnitX() + std::sin(angle) * ph::point<D>::UnitY()));
     ASSERT_EQ(h.felt.size(), 1u) << k;
@@ -432,7 +352,7 @@ TEST(a_needle, ends_at_its_tip) {
   EXPECT_TRUE(h.felt.empty()) << "slid off the tip";
 }
 
-// 10^6 steps of any size in all on a star with deep valleys: the proxy stays outside, whatever the handle
+// Steps of any size on a star with deep valleys: the proxy stays outside, whatever the handle
 // does.
 template <int D>
 void slide(const ph::mesh_parameters<D>& p, int steps, double max_step) {
@@ -463,31 +383,9 @@ TYPED_TEST(a_mesh_surface, is_never_passed_by_its_proxy) {
   constexpr int D = TestFixture::dimension;
   random_source random(seed);
   for (const int around : {5, 9, 24}) {
-    slide<D>(sample_meshes::star<D>(random, around), 100'000, 0.3);
-    slide<D>(sample_meshes::star<D>(random, around), 100'000, 1e-3);
+    slide<D>(sample_meshes::star<D>(random, around), 20'000, 0.3);
+    slide<D>(sample_meshes::star<D>(random, around), 20'000, 1e-3);
   }
-}
-
-// Bodies that run through each other are as good.
-TYPED_TEST(a_mesh_surface, of_two_bodies_in_each_other_keeps_the_proxy_out_of_both) {
-  constexpr int D = TestFixture::dimension;
-  random_source random(seed);
-  const auto one = sample_meshes::star<D>(random, 9);
-  auto other = sample_meshes::star<D>(random, 12);
-  for (auto& v : other.vertices) v[0] += 0.3;
-  const ph::mesh_solid<D> first{ph::mesh<D>(one)}, second{ph::mesh<D>(other)};
-  handle<D> h(surface_of(sample_meshes::both(one, other)));
-  ph::point<D> x = 2 * ph::point<D>::UnitX();
-  h.go(x);
-  int touched = 0;
-  for (int k = 0; k < 50'000; ++k) {
-    x = 0.998 * (x + random.positive(1e-6, 0.3) * random.direction<double, D>());
-    h.go(x);
-    touched += !h.felt.empty();
-    ASSERT_GT(first.distance(h.proxy()), -lip) << "seed " << seed << ", step " << k;
-    ASSERT_GT(second.distance(h.proxy()), -lip) << "seed " << seed << ", step " << k;
-  }
-  EXPECT_GT(touched, 10'000);
 }
 
 // Needles of any width on a flat lid, which the handle slides over and presses on.
@@ -507,7 +405,7 @@ TEST(a_lid_of_needles, holds) {
   }
   handle<3> h(surface_of(lid));
   h.go({0, 0, 0.1});
-  for (int k = 0; k < 20'000; ++k) {
+  for (int k = 0; k < 5000; ++k) {
     const ph::point<3> x(random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), random.uniform(-0.1, -0.001));
     h.go(k % 2 == 0 ? x : ph::point<3>(h.x + random.positive(1e-9, 1e-3) * ph::point<3>(1, 1, 0)));
     ASSERT_EQ(h.felt.size(), 1u) << "seed " << seed << ", step " << k;
@@ -517,32 +415,12 @@ TEST(a_lid_of_needles, holds) {
   }
 }
 
-// A floor and a ramp that meet at 120 deg, touched along the floor towards the ramp at a depth of 2 mm.
-TEST(an_obtuse_corner, begins_to_press_without_a_jump) {
-  const double c = std::cos(std::numbers::pi / 3), s = std::sin(std::numbers::pi / 3);
-  handle<2> h(surface_of(ph::mesh_parameters<2>{{{-1, 0}, {0, 0}, {c, s}}, {{1, 0}, {2, 1}}}));
-  h.go({-0.1, 0.01});
-  double ramp = 0, along = 0;
-  for (int k = 0; k <= 1000; ++k) {
-    h.go({-0.005 + 1e-5 * k, -0.002});
-    ASSERT_GE(h.felt.size(), 1u);
-    double now = 0;
-    for (const auto& t : h.felt) {
-      if (t.normal[0] != 0) now = t.depth;
-    }
-    EXPECT_NEAR(now, ramp, 2.4e-5) << k;
-    along = std::max(along, now);
-    ramp = now;
-  }
-  EXPECT_GT(along, 1e-3);
-}
-
 TEST(a_room_of_triangles, is_never_left_through_its_corners) {
   random_source random(seed);
   handle<3> h(surface_of(sample_meshes::inside_out(cube<3>())));
   h.go({0, 0, 0});
   int corners = 0;
-  for (int k = 0; k < 20'000; ++k) {
+  for (int k = 0; k < 5000; ++k) {
     const ph::point<3> x =
         random.between<double, 3>(ph::point<3>::Constant(-1.5), ph::point<3>::Constant(1.5));
     h.go(x);
@@ -557,7 +435,7 @@ TEST(a_room_of_triangles, is_never_left_through_its_corners) {
       ASSERT_LT(c.normal[axis] * x[axis], 0);
     }
   }
-  EXPECT_GT(corners, 500);
+  EXPECT_GT(corners, 100);
 }
 
 TYPED_TEST(a_mesh_surface, gives_no_number_for_no_number_and_remembers_what_it_knew) {
@@ -578,20 +456,6 @@ TYPED_TEST(a_mesh_surface, gives_no_number_for_no_number_and_remembers_what_it_k
   h.go(0.4 * ph::point<D>::UnitX());
   ASSERT_EQ(h.felt.size(), 1u);
   EXPECT_NEAR(h.felt[0].depth, 0.6, 1e-15);
-  // From nowhere, and to far away and back.
-  for (const double side : {1.0, -1.0}) {
-    const ph::point<D> e = side * ph::point<D>::UnitX();
-    handle<D> lost(h.shape);
-    lost.go(2 * e);
-    lost.x = ph::point<D>::Constant(not_a_number);
-    lost.go(3 * e);
-    EXPECT_TRUE(lost.felt.empty());
-    lost.go(-1e300 * e);
-    ASSERT_EQ(lost.felt.size(), 1u);
-    EXPECT_EQ(lost.felt[0].depth, 1e300);
-    lost.go(3 * e);
-    EXPECT_TRUE(lost.felt.empty());
-  }
 }
 
 TYPED_TEST(a_mesh_surface, says_how_far_the_handle_may_go) {
@@ -599,12 +463,12 @@ TYPED_TEST(a_mesh_surface, says_how_far_the_handle_may_go) {
   random_source random(seed);
   const auto p = sample_meshes::star<D>(random, 12);
   handle<D> often(surface_of(p)), seldom(often.shape);
-  ph::point<D> x = 2 * ph::point<D>::UnitX(), asked = x;
+  ph::point<D> x = 1.1 * ph::point<D>::UnitX(), asked = x;
   double may_go = 0;
   int calls = 0, touched = 0;
-  for (int k = 0; k < 20'000; ++k) {
+  for (int k = 0; k < 5000; ++k) {
     const ph::point<D> before = x;
-    x += 2e-3 * random.direction<double, D>() - 2e-4 * x;
+    x += 2e-3 * random.direction<double, D>() - 5e-4 * x;
     often.go(x);
     if (!((x - asked).norm() < may_go)) {
       seldom.x = before;
@@ -618,8 +482,8 @@ TYPED_TEST(a_mesh_surface, says_how_far_the_handle_may_go) {
     ASSERT_EQ(seldom.felt.size(), often.felt.size()) << "seed " << seed << ", cycle " << k;
     for (std::size_t i = 0; i < often.felt.size(); ++i) ASSERT_EQ(seldom.felt[i].depth, often.felt[i].depth);
   }
-  EXPECT_GT(touched, 500);
-  EXPECT_LT(calls - touched, 4000);
+  EXPECT_GT(touched, 100);
+  EXPECT_LT(calls - touched, 1000);
 }
 
 // Passes through a random point of a random facet, up to 60 degrees oblique: from the first cycle behind the
@@ -654,7 +518,7 @@ int stopped_passes(const ph::mesh_parameters<D>& m, double margin, double step, 
 }
 
 TYPED_TEST(a_mesh_surface, stops_each_pass_in_a_world_whatever_its_margin) {
-  constexpr int D = TestFixture::dimension, passes = 200;
+  constexpr int D = TestFixture::dimension, passes = 50;
   const auto ball = [] {
     const auto radius = [](const auto&) { return 0.1; };
     if constexpr (D == 2) return sample_meshes::ring(24, radius);

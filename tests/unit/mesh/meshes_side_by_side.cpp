@@ -10,10 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include "../../property/sample_meshes.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -32,26 +32,7 @@ ph::mesh_parameters<3> sheet(double x0, double y0, double x1, double y1) {
 }
 // A block whose top is this rectangle.
 ph::mesh_parameters<3> block(double x0, double y0, double x1, double y1, double bottom = -0.05) {
-  return {{{x0, y0, bottom},
-           {x1, y0, bottom},
-           {x1, y1, bottom},
-           {x0, y1, bottom},
-           {x0, y0, 0},
-           {x1, y0, 0},
-           {x1, y1, 0},
-           {x0, y1, 0}},
-          {{0, 2, 1},
-           {0, 3, 2},
-           {4, 5, 6},
-           {4, 6, 7},
-           {0, 1, 5},
-           {0, 5, 4},
-           {2, 3, 7},
-           {2, 7, 6},
-           {1, 2, 6},
-           {1, 6, 5},
-           {3, 0, 4},
-           {3, 4, 7}}};
+  return sample_meshes::box<3>({x0, y0, bottom}, {x1, y1, 0});
 }
 ph::any_wall<3> surface(const ph::mesh_parameters<3>& m) {
   return ph::wall(ph::mesh_surface<3>(ph::triangle_mesh(m)));
@@ -82,7 +63,7 @@ void expect_one_floor(const std::string& name, ph::world<3> world, const std::ve
   SCOPED_TRACE(name);
   for (int k = 0; k <= 20; ++k) felt(world, places[0] + at(0, 0, pressed - 1e-4 * k));
   for (std::size_t leg = 1; leg < places.size(); ++leg) {
-    constexpr int steps = 500;
+    constexpr int steps = 150;
     for (int k = 0; k <= steps; ++k) {
       const at x = places[leg - 1] + (places[leg] - places[leg - 1]) * k / steps - at(0, 0, pressed);
       const at push = felt(world, x);
@@ -95,19 +76,14 @@ void expect_one_floor(const std::string& name, ph::world<3> world, const std::ve
 const std::vector<at> across{{0.05, 0.05, 0}, {0.15, 0.05, 0}, {0.05, 0.06, 0}};
 const std::vector<at> over_a_corner{{0.02, 0.01, 0}, {0.18, 0.19, 0}, {0.02, 0.18, 0}, {0.15, 0.03, 0}};
 
-TEST(meshes_side_by_side, two_sheets_are_one_floor) {
-  expect_one_floor("sheets", world_of({surface(sheet(0, 0, 0.1, 0.2)), surface(sheet(0.1, 0, 0.2, 0.2))}),
+// Also a junction in the shape of a T
+TEST(meshes_side_by_side, sheets_are_one_floor) {
+  expect_one_floor("two", world_of({surface(sheet(0, 0, 0.1, 0.2)), surface(sheet(0.1, 0, 0.2, 0.2))}),
                    across);
-}
-
-TEST(meshes_side_by_side, four_sheets_are_one_floor) {
   expect_one_floor("four",
                    world_of({surface(sheet(0, 0, 0.1, 0.1)), surface(sheet(0.1, 0, 0.2, 0.1)),
                              surface(sheet(0, 0.1, 0.1, 0.2)), surface(sheet(0.1, 0.1, 0.2, 0.2))}),
                    over_a_corner);
-}
-
-TEST(meshes_side_by_side, a_t_junction_is_one_floor) {
   expect_one_floor("T",
                    world_of({surface(sheet(0, 0, 0.2, 0.1)), surface(sheet(0, 0.1, 0.07, 0.2)),
                              surface(sheet(0.07, 0.1, 0.2, 0.2))}),
@@ -116,32 +92,24 @@ TEST(meshes_side_by_side, a_t_junction_is_one_floor) {
 
 TEST(meshes_side_by_side, blocks_are_one_floor) {
   for (const auto& make : {surface, solid}) {
-    expect_one_floor("two", world_of({make(block(0, 0, 0.1, 0.2)), make(block(0.1, 0, 0.2, 0.2))}), across);
     expect_one_floor("four",
                      world_of({make(block(0, 0, 0.1, 0.1)), make(block(0.1, 0, 0.2, 0.1)),
                                make(block(0, 0.1, 0.1, 0.2)), make(block(0.1, 0.1, 0.2, 0.2))}),
                      over_a_corner);
+    expect_one_floor("box last", world_of({make(block(0, 0, 0.1, 0.2)), box(0.1, 0, 0.2, 0.2)}), across);
+    expect_one_floor("box first", world_of({box(0, 0, 0.1, 0.2), make(block(0.1, 0, 0.2, 0.2))}), across);
   }
   expect_one_floor("a sheet, a surface and a solid",
                    world_of({surface(sheet(0, 0, 0.07, 0.2)), surface(block(0.07, 0, 0.13, 0.2)),
                              solid(block(0.13, 0, 0.2, 0.2))}),
                    across);
-}
-
-TEST(meshes_side_by_side, a_box_beside_a_mesh_is_one_floor) {
-  for (const auto& make : {surface, solid}) {
-    expect_one_floor("box last", world_of({make(block(0, 0, 0.1, 0.2)), box(0.1, 0, 0.2, 0.2)}), across);
-    expect_one_floor("box first", world_of({box(0, 0, 0.1, 0.2), make(block(0.1, 0, 0.2, 0.2))}), across);
-  }
-  expect_one_floor("sheet", world_of({surface(sheet(0, 0, 0.1, 0.2)), box(0.1, 0, 0.2, 0.2)}), across);
   expect_one_floor(
-      "between", world_of({surface(sheet(0, 0, 0.07, 0.2)), box(0.07, 0, 0.13, 0.2), box(0.13, 0, 0.2, 0.2)}),
-      across);
+      "a sheet and boxes",
+      world_of({surface(sheet(0, 0, 0.07, 0.2)), box(0.07, 0, 0.13, 0.2), box(0.13, 0, 0.2, 0.2)}), across);
 }
 
-// Also where no mesh is near: boxes that meet or overlap, and a plate half as thick as the hand is deep.
+// Also where no mesh is near: boxes that overlap, and a plate half as thick as the hand is deep.
 TEST(meshes_side_by_side, boxes_and_a_plate_are_one_floor) {
-  expect_one_floor("boxes", world_of({box(0, 0, 0.1, 0.2), box(0.1, 0, 0.2, 0.2)}), across);
   expect_one_floor("overlap", world_of({box(0, 0, 0.101, 0.2), box(0.1, 0, 0.2, 0.2)}), across);
   const ph::box<3> plate(at(0.1, 0.1, -pressed / 4), at(0.1, 0.1, pressed / 4));
   expect_one_floor("plate", world_of({ph::wall(plate)}), over_a_corner);
@@ -187,8 +155,8 @@ TEST(meshes_side_by_side, a_block_on_the_floor_stops_a_hand_deep_below) {
     for (at& v : bump.vertices) v[2] += 0.01;
     ph::world<3> world = world_of({surface(sheet(0, 0, 0.2, 0.2)), make(bump)});
     for (int k = 0; k <= 100; ++k) felt(world, {0.02, 0.1, 0.001 - deep * k / 100});
-    for (int k = 0; k <= 300; ++k) {
-      const double x = 0.02 + 0.12 * k / 300;
+    for (int k = 0; k <= 100; ++k) {
+      const double x = 0.02 + 0.12 * k / 100;
       const at push = felt(world, {x, 0.1, 0.001 - deep});
       ASSERT_LT((push - at(-std::max(0.0, x - 0.1), 0, deep - 0.001)).norm(), 3e-7)
           << x << ": " << push.transpose();
@@ -203,8 +171,8 @@ TEST(meshes_side_by_side, are_one_floor_that_moves) {
     const int first = walls.add_moving(surface(sheet(0, 0, 0.1, 0.2)));
     const int second = walls.add_moving(surface(sheet(0.1, 0, 0.2, 0.2)));
     ph::world<3> world(walls);
-    for (int k = 0; k <= 1000; ++k) {
-      const double time = 1e-3 * k;
+    for (int k = 0; k <= 500; ++k) {
+      const double time = 2e-3 * k;
       // Up and down; where one stands, along the seam
       const at moved = both ? at(0.01 * std::sin(5 * time), 0, 0.02 * std::sin(3 * time))
                             : at(0, 0.03 * std::sin(4 * time), 0);
@@ -236,20 +204,6 @@ TEST(meshes_side_by_side, a_sheet_that_passes_the_hand_holds_it) {
   }
 }
 
-// A hand close behind a sheet that goes along with it stays behind: within a cycle both go straight on.
-TEST(meshes_side_by_side, a_hand_behind_a_sheet_that_moves_with_it_is_free) {
-  for (const double rate : {-3e-3, 3e-3}) {
-    ph::world_walls<3> walls;
-    const int lift = walls.add_moving(surface(sheet(0, 0, 0.2, 0.2)));
-    walls.add(surface(sheet(0.3, 0, 0.4, 0.2)));
-    ph::world<3> world(walls);
-    for (int k = 0; k <= 200; ++k) {
-      world.set_motion(lift, {0, 0, rate * k}, at::Zero());
-      ASSERT_TRUE(felt(world, {0.05, 0.1, rate * k - 1e-4}).isZero(0)) << rate << ", " << k;
-    }
-  }
-}
-
 // Near its surface, over edges, too, a shape in a world with a mesh far off is felt as itself.
 template <class Shape>
 void expect_felt_as_itself(const Shape& shape) {
@@ -257,7 +211,7 @@ void expect_felt_as_itself(const Shape& shape) {
   ph::testing::random_source random(seed);
   at x(0, 0.049, 0.05);
   int touched = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 4000; ++k) {
     x += 2e-4 * random.direction<double, 3>();
     const double distance = shape.distance(x);
     x += (std::clamp(distance, -0.003, 0.003) - distance) * shape.gradient(x);
@@ -266,7 +220,7 @@ void expect_felt_as_itself(const Shape& shape) {
         << "seed " << seed << ", cycle " << k << " at " << x.transpose();
     touched += !expected.isZero(0);
   }
-  EXPECT_GT(touched, 1000);
+  EXPECT_GT(touched, 200);
 }
 
 TEST(meshes_side_by_side, a_shape_far_from_a_mesh_is_felt_as_ever) {
@@ -296,16 +250,15 @@ TEST(meshes_side_by_side, a_mesh_cut_in_two_is_felt_as_the_whole) {
   ph::testing::random_source random(seed);
   at x(0.1, 0.1, 0.03);
   int touched = 0;
-  for (int k = 0; k < 20000; ++k) {
-    at step = 3e-4 * random.direction<double, 3>();
-    x += step;
+  for (int k = 0; k < 4000; ++k) {
+    x += 3e-4 * random.direction<double, 3>();
     x = x.cwiseMax(at(0.02, 0.02, -0.012)).cwiseMin(at(0.18, 0.18, 0.011));
     const at push = felt(two, x), expected = felt(one, x);
     ASSERT_LT((push - expected).norm(), 1e-8) << "seed " << seed << ", cycle " << k << " at " << x.transpose()
                                               << ": " << push.transpose() << " for " << expected.transpose();
     touched += !push.isZero(0);
   }
-  EXPECT_GT(touched, 1000);
+  EXPECT_GT(touched, 200);
 }
 
 // What is skipped changes nothing: a world of many meshes against one of which nothing is far.
@@ -321,8 +274,8 @@ TEST(meshes_side_by_side, far_ones_are_skipped_exactly) {
   ph::world<3> skipping = world_of(walls), looking = world_of(walls);
   at x(0.1, 0.1, 0.01);
   int touched = 0;
-  for (int k = 0; k < 20000; ++k) {
-    const bool leap = k % 500 == 0;
+  for (int k = 0; k < 2000; ++k) {
+    const bool leap = k % 100 == 0;
     x += (leap ? 0.05 : 4e-4) * random.direction<double, 3>();
     x = x.cwiseMax(at(0.005, 0.005, -0.004)).cwiseMin(at(0.195, 0.195, 0.02));
     looking.set_margin(k % 2 == 0 ? 0 : 1e-300);  // so that all that is near is looked at anew
@@ -331,7 +284,7 @@ TEST(meshes_side_by_side, far_ones_are_skipped_exactly) {
         << "seed " << seed << ", cycle " << k << " at " << x.transpose();
     touched += !push.isZero(0);
   }
-  EXPECT_GT(touched, 1000);
+  EXPECT_GT(touched, 200);
 }
 
 }  // namespace side_by_side

@@ -71,12 +71,14 @@ TEST(a_slab, holds_what_rests_on_its_facet) {
   }
 }
 
-// It falls under the skin by less than a lip while it is over the facet, then by more.
-TEST(a_slab, lets_through_what_only_grazes_it) {
+// It falls under the skin by less than a lip while it is over the facet, then by more; or it does not fall.
+TEST(a_slab, stops_what_falls_but_not_what_only_grazes_it) {
   const ph::mesh_facet<2> segment{{{{1, 0}, {-1, 0}}}, {0, 1}};
   const ph::detail::facet_slab<2> slab{segment, 1e-3, 1e-6};
   EXPECT_GT(slab.stop({0.9, 1e-3}, {1, -5e-6}), 1);
   EXPECT_NEAR(slab.stop({0.9, 1e-3}, {1, -5e-5}), 0, 1e-9);
+  EXPECT_EQ(slab.stop({0.1, 5e-4}, {0, -1e-4}), 0);
+  for (const ph::point<2>& step : {ph::point<2>(0, 1e-4), {1, 0}}) EXPECT_GT(slab.stop({0.1, 5e-4}, step), 1);
 }
 
 TEST(a_tracker, rests_on_nothing_where_the_handle_is_free) {

@@ -7,9 +7,7 @@
 #include <passive_haptics/plant/brakes/compensated_brake.hpp>
 #include <passive_haptics/plant/brakes/delayed_brake.hpp>
 #include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
-#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
 #include <passive_haptics/plant/brakes/presliding_brake.hpp>
-#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 
 #include <algorithm>
@@ -24,8 +22,7 @@ using pair = ph::vector<double, 2>;
 // That of the model, or of the one inside.
 template <class Model>
 ph::brake_resistance<double>& residual_in(Model& model) {
-  if constexpr (requires { model.model; }) return residual_in(model.model);
-  else if constexpr (requires { model.coulomb; }) return model.coulomb.residual;
+  if constexpr (requires { model.model; }) return model.model.residual;
   else return model.residual;
 }
 
@@ -46,9 +43,7 @@ struct simulated_model : ::testing::Test {
   }
 };
 
-using models = tested_types<ph::coulomb_brake<double>, ph::stribeck_brake<double>,
-                            ph::eddy_current_brake<double>, ph::magnetorheological_brake<double>,
-                            ph::compensated_brake<ph::magnetorheological_brake<double>>,
+using models = tested_types<ph::coulomb_brake<double>, ph::eddy_current_brake<double>,
                             ph::delayed_brake<ph::coulomb_brake<double>>>;
 TYPED_TEST_SUITE(simulated_model, models);
 
@@ -90,16 +85,16 @@ TEST(simulated_presliding, is_a_spring_that_slips_at_its_strength) {
     return std::pair(most, sum / static_cast<double>(steps));
   };
   const double dt = 1e-6;
-  const auto [most, mean] = run(4, 0.5, dt);
+  const auto [most, mean] = run(4, 0.1777, dt);  // two periods
   EXPECT_NEAR(mean, 4 * brake.compliance(), 0.05 * mean) << "about where it balances the hand";
   EXPECT_NEAR(most, 8 * brake.compliance(), 0.02 * most) << "twice as far, as an undamped spring";
   EXPECT_LE(std::abs(device.energy().imbalance()), 1e-12);
   EXPECT_GT(device.energy().max_brake_power, 0) << "it gives back";
 
   device.set_motion({0, 0}, {0, 0});
-  run(20, 0.1, dt);
+  run(20, 0.05, dt);
   const double slipped = device.q()[0];
-  EXPECT_GT(slipped, 10 * brake.presliding) << "it slips";
+  EXPECT_GT(slipped, 5 * brake.presliding) << "it slips";
   EXPECT_NEAR(device.brake_torque()[0], -10, 1e-9);
   device.set_motion({0, 0}, {0, 0});
   device.advance(dt, {10, 10}, {0, 0});
@@ -114,7 +109,7 @@ TEST(simulated_presliding, of_nothing_is_the_brake_itself) {
   stiff.presliding = 0;
   ph::simulated_device one(M(), ph::brake_models_of<M>{plain, plain}, 0.3, {0, 0});
   ph::simulated_device other(M(), ph::brake_models_of<M, model>{stiff, stiff}, 0.3, {0, 0});
-  for (int k = 0; k < 5000; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     const pair capacity = pair::Constant(0.5 + 0.4 * std::sin(1e-2 * k)), force(std::sin(3e-3 * k), 0.7);
     one.advance(1e-4, capacity, force);
     other.advance(1e-4, capacity, force);

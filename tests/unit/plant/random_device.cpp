@@ -3,7 +3,6 @@
 #include "../support.hpp"
 
 #include <passive_haptics/mechanism/models/delta.hpp>
-#include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/random_device.hpp>
@@ -31,7 +30,7 @@ TEST(random_device, lies_within_the_ranges) {
     return x >= i.low * (1 - 1e-12) && x <= i.high * (1 + 1e-12);
   };
   int impedances = 0;
-  constexpr int count = 300;
+  constexpr int count = 100;
   for (int k = 0; k < count; ++k) {
     const auto d = ph::draw_device(tendon(), space, 1, static_cast<std::uint64_t>(k));
     EXPECT_EQ(validate(d.hand), "");
@@ -56,12 +55,12 @@ TEST(random_device, lies_within_the_ranges) {
     EXPECT_TRUE(within(impedance ? d.hand.normal_stiffness * d.hand.target_depth : d.hand.push, r.push));
     EXPECT_TRUE(within(d.wall_stiffness, r.wall_stiffness));
   }
-  EXPECT_NEAR(impedances, count / 2, 45) << "five standard deviations";
+  EXPECT_NEAR(impedances, count / 2, 25) << "five standard deviations";
 }
 
 template <class M>
 void expect_a_way(const M& mechanism, const ph::workspace<M>& where) {
-  for (std::uint64_t k = 0; k < 30; ++k) {
+  for (std::uint64_t k = 0; k < 10; ++k) {
     const auto d = ph::draw_device(mechanism, where, 2, k);
     const auto& p = d.plane;
     EXPECT_NEAR(p.normal.norm(), 1, 1e-12);
@@ -82,11 +81,10 @@ void expect_a_way(const M& mechanism, const ph::workspace<M>& where) {
 TEST(random_plane, can_be_followed_and_felt_where_it_begins) {
   expect_a_way(tendon(), space);
   expect_a_way(ph::delta<double>(), {{-0.2, -0.2, -0.2}, {1.1, 1.1, 1.1}, 0.05});
-  expect_a_way(ph::five_bar<double, 4>(), {{1.5, 0.0}, {3.1, 1.6}, 0.04});
   expect_a_way(ph::xy_table<double>(), {{-0.1, -0.1}, {0.1, 0.1}, 0.1, 0.1});
 }
 
-// A table's normal along y, its way along x: only brake y has a force along the normal, and it holds where
+// A table's normal along y, its way along x: only brake y has a force along the normal, and it holds if
 // the handle does not move; along a slant the brake that is overtaken does.
 TEST(random_plane, best_cosine_is_that_of_the_nearest_reference_force) {
   const ph::xy_table<double> table;
@@ -95,9 +93,9 @@ TEST(random_plane, best_cosine_is_that_of_the_nearest_reference_force) {
   EXPECT_NEAR(ph::max_cosine<ph::xy_table<double>>(table, {0, 0}, -slant, normal), 0.6, 1e-12);
 }
 
-TEST(random_plane, says_where_there_is_none) {
+TEST(random_plane, reports_that_there_is_none) {
   ph::workspace<tendon> out = space;
-  out.path_length = 10;
+  out.max_condition = 1;
   std::mt19937_64 bits(1);
   EXPECT_THROW(ph::draw_plane(tendon(), out, 0.1, 0.004, 0.1, bits), std::invalid_argument);
 }

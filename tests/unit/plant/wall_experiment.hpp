@@ -12,8 +12,6 @@
 
 #include <Eigen/LU>
 
-#include <type_traits>
-
 inline const ph::half_space<2> wall({0, 0.225}, {0, -1});
 
 // A device 4 mm off the wall at x = 0.045 m, moving along it and into it.
@@ -56,25 +54,8 @@ auto tendon_device(T brake_lag) {
   return experiment<M>(arm, brakes, arm.inverse({T(0.045), T(0.221)}, ph::elbow::left).q);
 }
 
-// Exact positions and rates.
-inline ph::wall_following_parameters with_ideal_encoders(ph::wall_following_parameters p = {}) {
-  p.encoder_resolution = 0;
-  return p;
-}
-
 // 8192 counts a turn, 0.1 m from the axis [m].
 inline ph::wall_following_parameters with_slides(ph::wall_following_parameters p = {}) {
   p.encoder_resolution *= 0.1;
   return p;
 }
-
-// The whole way in double, its first part in float.
-template <class T>
-struct wall_following : ::testing::Test {
-  static ph::wall_following_parameters way() {
-    ph::wall_following_parameters p;
-    if (std::is_same_v<T, float>) p.path_end = 0.08;
-    return p;
-  }
-};
-TYPED_TEST_SUITE(wall_following, scalars);

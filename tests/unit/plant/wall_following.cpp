@@ -3,11 +3,25 @@
 #include "wall_experiment.hpp"
 
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
+#include <passive_haptics/force/effects/viscous_field.hpp>
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace {
+
+// The whole way in double, its first part in float.
+template <class T>
+struct wall_following : ::testing::Test {
+  static ph::wall_following_parameters way() {
+    ph::wall_following_parameters p;
+    if (std::is_same_v<T, float>) p.path_end = 0.08;
+    return p;
+  }
+};
+TYPED_TEST_SUITE(wall_following, scalars);
 
 // Fig. 4: without force approximation there is no pullback, at any rate of the environment.
 TYPED_TEST(wall_following, xy_table_never_leaves_an_unslanted_wall) {
@@ -31,17 +45,11 @@ TYPED_TEST(wall_following, xy_table_never_leaves_an_unslanted_wall) {
   }
 }
 
-TYPED_TEST(wall_following, names_a_brake_that_is_not_there) {
-  auto e = table<TypeParam>();
-  auto control = e.controller(ph::no_direct_control(), 1000);
-  auto way = this->way();
-  way.watched_brake = 2;
-  try {
-    ph::follow_wall(e.device, control, wall, e.hand, way);
-    FAIL() << "brake 2 of two was watched";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "passive_haptics: watched_brake = 2, expected a brake of the device, from 0");
-  }
+TEST(wall_following_run, names_a_brake_that_is_not_there) {
+  auto e = table<double>();
+  const auto released = [](const auto&) { return ph::step_result<ph::xy_table<double>>(); };
+  EXPECT_EQ(thrown_by([&] { ph::follow_wall(e.device, released, wall, e.hand, {.watched_brake = 2}); }),
+            "passive_haptics: watched_brake = 2, expected a brake of the device, from 0");
 }
 
 // Figs. 8 and 9: what the paper reports comes out where the limits stand before alpha, the brakes are weak
@@ -52,35 +60,50 @@ TEST(wall_following, reproduces_the_paper_where_the_limits_come_before_alpha) {
   yielding.normal_stiffness = 300;
   yielding.target_depth = 0.003;
   for (const double rate : {1000.0, 20.0}) {
-    for (const double time_step : {1e-4, 5e-5}) {
-      const auto run = [&](auto law) {
-        auto e = tendon_device<double>(0.020);
-        e.brakes.torque_limit.setConstant(1.25 / 17 * yielding.push);
-        experiment<ph::tendon_two_link<double>> weak(e.arm, e.brakes, e.q);
-        auto control = weak.controller(law, rate);
-        return ph::follow_wall(weak.device, control, wall,
-                               ph::following_hand<double, 2>({1, 0}, weak.arm.position(weak.q), yielding),
-                               {.time_step = time_step});
-      };
-      const auto none = run(ph::no_direct_control()), printed = run(ph::direct_control()),
-                 read = run(ph::saturated_direct_control());
-      EXPECT_GE(none.separations, 3) << rate << " Hz";
-      EXPECT_GE(printed.separations, 3) << rate << " Hz";
-      EXPECT_LE(read.separations, 1) << rate << " Hz";
-      EXPECT_LT(read.depth_std, none.depth_std);
-      EXPECT_LT(read.stick_share, none.stick_share / 2);
-      EXPECT_LT(read.hand_force_std, none.hand_force_std);
-      EXPECT_LT(read.retarding_force, none.retarding_force) << "conclusion 2";
-      EXPECT_LT(read.max_brake_power, 1e-14);
-      EXPECT_TRUE(none.arrived && printed.arrived && read.arrived);
-    }
+    const auto run = [&](auto law) {
+      auto e = tendon_device<double>(0.020);
+      e.brakes.torque_limit.setConstant(1.25 / 17 * yielding.push);
+      experiment<ph::tendon_two_link<double>> weak(e.arm, e.brakes, e.q);
+      auto control = weak.controller(law, rate);
+      return ph::follow_wall(weak.device, control, wall,
+                             ph::following_hand<double, 2>({1, 0}, weak.arm.position(weak.q), yielding), {});
+    };
+    const auto none = run(ph::no_direct_control()), printed = run(ph::direct_control()),
+               read = run(ph::saturated_direct_control());
+    EXPECT_GE(none.separations, 3) << rate << " Hz";
+    EXPECT_GE(printed.separations, 3) << rate << " Hz";
+    EXPECT_LE(read.separations, 1) << rate << " Hz";
+    EXPECT_LT(read.depth_std, none.depth_std);
+    EXPECT_LT(read.stick_share, none.stick_share / 2);
+    EXPECT_LT(read.hand_force_std, none.hand_force_std);
+    EXPECT_LT(read.retarding_force, none.retarding_force) << "conclusion 2";
+    EXPECT_LT(read.max_brake_power, 1e-14);
+    EXPECT_TRUE(none.arrived && printed.arrived && read.arrived);
   }
+}
+
+// Drag of 40 N s/m along the wall, which stays what it was.
+TEST(wall_following_run, takes_a_controller_with_effects) {
+  const auto figures = [](double viscosity) {
+    auto e = table<double>();
+    const ph::viscous_field<double, 2> field({.viscosity = viscosity * ph::matrix<double, 2, 2>::Identity()});
+    ph::controller control(e.arm, e.brakes, ph::with_effects(ph::scene(ph::wall(wall)), field),
+                           ph::direct_control());
+    return ph::follow_wall(e.device, control, wall, e.hand, with_slides({.path_end = 0.08}));
+  };
+  const auto smooth = figures(0), sticky = figures(40);
+  EXPECT_TRUE(smooth.arrived && sticky.arrived);
+  EXPECT_GT(sticky.retarding_force, smooth.retarding_force + 1.5)
+      << "2 N at 5 cm/s, less until it is so fast";
+  EXPECT_LE(sticky.max_brake_power, 1e-14);
+  EXPECT_LE(sticky.max_depth, smooth.max_depth + 1e-5);
 }
 
 TEST(wall_following_run, runs_each_part_at_its_own_rate) {
   using T = double;
   auto e = tendon_device<T>(T(0.02));
-  ph::wall_following_parameters p = with_ideal_encoders();
+  ph::wall_following_parameters p;
+  p.encoder_resolution = 0;  // exact positions and rates
   p.time_step = 1e-4;
   p.control_period = 5e-4;
   p.max_duration = 0.01;
@@ -131,7 +154,9 @@ TEST(wall_following_run, says_how_it_ended) {
   const auto released = [](const auto&) { return ph::step_result<M>(); };
   const auto end_of = [&](const ph::wall_following_parameters& p) {
     auto e = table<double>();
-    return ph::follow_wall(e.device, released, wall, e.hand, p).end;
+    const auto figures = ph::follow_wall(e.device, released, wall, e.hand, p);
+    EXPECT_LT(figures.max_depth, 1.1 * p.max_depth);
+    return figures.end;
   };
   EXPECT_EQ(end_of({.max_duration = 0.05}), ph::run_end::time_over);
   EXPECT_EQ(end_of({.path_end = 1, .max_depth = 0.002}), ph::run_end::too_deep);

@@ -44,13 +44,13 @@ TYPED_TEST(tree, finds_every_box_within_a_radius_once_and_few_others) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(tree_seed);
   long visited = 0, wanted = 0;
-  for (const int count : {0, 1, 2, 3, 100, 1000}) {
+  for (const int count : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 100, 1000}) {
     const auto boxes = random_boxes<D>(count, random);
     const ph::bounding_volume_tree<D> all(boxes);
     EXPECT_EQ(all.size(), boxes.size());
-    for (int k = 0; k < 200; ++k) {
+    for (int k = 0; k < 50; ++k) {
       const ph::point<D> x = 1.5 * random.normal_vector<double, D>();
-      const double radius = random.positive(1e-3, 3.0);
+      const double radius = k == 0 ? everything : random.positive(1e-3, 3.0);
       std::vector<int> found(boxes.size());
       all.visit_within(ph::squared_distance_from<D>(x), radius * radius, [&](int place, double bound) {
         const int item = all.item(place);
@@ -154,41 +154,27 @@ TYPED_TEST(tree, leads_to_a_place_by_as_many_nodes_as_it_is_deep) {
       int nodes = 0;
       for (const auto& box : boxes) nodes += opened<D>(all, box.lower, 99);
       EXPECT_EQ(nodes, 500 * levels) << "axis " << axis;
+      for (const int budget : {1, 2, 3}) EXPECT_EQ(opened<D>(all, boxes[300].lower, budget), budget);
     }
   }
 }
 
-TYPED_TEST(tree, opens_no_more_nodes_than_it_may) {
-  constexpr int D = TestFixture::dimension;
-  const auto boxes = ever_closer<D>(0, true);
-  const ph::bounding_volume_tree<D> all(boxes);
-  for (const int budget : {1, 2, 3}) EXPECT_EQ(opened<D>(all, boxes[300].lower, budget), budget);
-}
-
-TYPED_TEST(tree, visits_each_of_a_few_once) {
-  constexpr int D = TestFixture::dimension;
-  ph::testing::random_source random(tree_seed);
-  for (int count = 0; count <= 9; ++count) {
-    std::vector<int> places;
-    ph::bounding_volume_tree<D>(random_boxes<D>(count, random))
-        .visit_within(ph::squared_distance_from<D>(ph::point<D>::Zero()), everything,
-                      [&](int place, double) { places.push_back(place); });
-    std::sort(places.begin(), places.end());
-    ASSERT_EQ(places.size(), static_cast<std::size_t>(count));
-    for (int k = 0; k < count; ++k) EXPECT_EQ(places[static_cast<std::size_t>(k)], k);
-  }
-}
-
+// In float, too, the box that is searched holds the box.
 TYPED_TEST(tree, finds_a_box_at_its_very_distance) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(tree_seed);
-  for (int k = 0; k < 5000; ++k) {
-    const auto boxes = random_boxes<D>(1, random);
-    const ph::point<D> x = 3 * random.normal_vector<double, D>();
+  const auto finds = [](const ph::bounding_box<D>& box, const ph::point<D>& x) {
     int found = 0;
-    ph::bounding_volume_tree<D>(boxes).visit_within(
-        ph::squared_distance_from<D>(x), squared_distance<D>(boxes[0], x), [&](int, double) { ++found; });
-    EXPECT_EQ(found, 1) << "seed " << tree_seed << ", box " << k;
+    ph::bounding_volume_tree<D>({box}).visit_within(
+        ph::squared_distance_from<D>(x), squared_distance<D>(box, x), [&](int, double) { ++found; });
+    return found;
+  };
+  for (int k = 0; k < 2000; ++k) {
+    const auto boxes = random_boxes<D>(1, random);
+    EXPECT_EQ(finds(boxes[0], 3 * random.normal_vector<double, D>()), 1)
+        << "seed " << tree_seed << ", box " << k;
+    const ph::point<D> corner = random.positive(1e-20, 1e20) * random.normal_vector<double, D>();
+    EXPECT_EQ(finds({corner, corner}, corner), 1) << corner.transpose();
   }
 }
 
@@ -197,7 +183,7 @@ TYPED_TEST(tree, opens_no_node_that_is_further_than_the_limit) {
   constexpr int D = TestFixture::dimension;
   const ph::bounding_volume_tree<D> all(ever_closer<D>(0, true));
   ph::testing::random_source random(tree_seed);
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 200; ++k) {
     const ph::point<D> x = random.uniform(-1.0, 2.0) * ph::point<D>::UnitX();
     const auto distance = ph::squared_distance_from<D>(x);
     const double limit = random.positive(1e-3, 2.0);
@@ -260,25 +246,13 @@ TEST(a_bounding_box, grows) {
   EXPECT_EQ(box.grown(0.25).upper, ph::point<2>(1.25, 3.25));
 }
 
-TYPED_TEST(tree, a_box_in_float_holds_the_box) {
-  constexpr int D = TestFixture::dimension;
-  ph::testing::random_source random(tree_seed);
-  for (int k = 0; k < 1000; ++k) {
-    const ph::point<D> corner = random.positive(1e-20, 1e20) * random.normal_vector<double, D>();
-    const ph::bounding_volume_tree<D> all({{corner, corner}});
-    int found = 0;
-    all.visit_within(ph::squared_distance_from<D>(corner), 0.0, [&](int, double) { ++found; });
-    EXPECT_EQ(found, 1) << corner.transpose();
-  }
-}
-
 TYPED_TEST(tree, of_equal_boxes_is_balanced) {
   constexpr int D = TestFixture::dimension;
-  const std::vector<ph::bounding_box<D>> boxes(100'000, ph::box_about<D>(ph::point<D>::Zero(), 1));
+  const std::vector<ph::bounding_box<D>> boxes(10'000, ph::box_about<D>(ph::point<D>::Zero(), 1));
   int found = 0;
   ph::bounding_volume_tree<D>(boxes).visit_within(ph::squared_distance_from<D>(ph::point<D>::Zero()), 0.0,
                                                   [&](int, double) { ++found; });
-  EXPECT_EQ(found, 100'000);
+  EXPECT_EQ(found, 10'000);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include <array>
 #include <cmath>
 #include <vector>
@@ -28,26 +26,11 @@ long double from_segment(const ph::point<D>& x, const ph::point<D>& a, const ph:
   return std::fmin(at((low + high) / 2), std::fmin(at(0), at(1)));
 }
 
-// Signed distance from a polygon: nearest edge, sign by counting crossings of a ray.
-inline long double from_polygon(const ph::point<2>& x, const std::vector<ph::point<2>>& corners) {
-  long double nearest = INFINITY;
-  bool inside = false;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const ph::point<2>&a = corners[i], &b = corners[(i + 1) % corners.size()];
-    nearest = std::fmin(nearest, from_segment<2>(x, a, b));
-    if ((a.y() > x.y()) != (b.y() > x.y()) &&
-        x.x() < a.x() + (b.x() - a.x()) * (x.y() - a.y()) / (b.y() - a.y()))
-      inside = !inside;
-  }
-  return inside ? -nearest : nearest;
-}
-
-// Signed distance from what lies behind all planes, in 50 digits: among the projections of x on the
+// Signed distance from what lies behind all planes, in long double: among the projections of x on the
 // intersections of up to D planes, the nearest that is behind all others.
 template <int D>
 double from_polytope(const ph::point<D>& x, const std::vector<ph::half_space_parameters<D>>& planes) {
-  using number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,
-                                               boost::multiprecision::et_off>;
+  using number = long double;
   using direction = std::array<number, std::size_t(D)>;
   const auto dot = [](const direction& a, const direction& b) {
     number sum = 0;
@@ -63,7 +46,7 @@ double from_polytope(const ph::point<D>& x, const std::vector<ph::half_space_par
       unit[i] = plane.normal[k];
       r[i] = number(x[k]) - plane.surface_point[k];
     }
-    const number length = sqrt(dot(unit, unit));
+    const number length = std::sqrt(dot(unit, unit));
     for (number& u : unit) u /= length;
     n.push_back(unit);
     g.push_back(dot(unit, r));
@@ -82,7 +65,7 @@ double from_polytope(const ph::point<D>& x, const std::vector<ph::half_space_par
       gram[i][size] = g[active[i]];
     }
     for (std::size_t i = 0; i < size; ++i) {  // positive definite, so no pivoting
-      if (abs(gram[i][i]) < 1e-30) return;
+      if (std::abs(gram[i][i]) < 1e-12L) return;
       for (std::size_t k = 0; k < size; ++k) {
         if (k == i) continue;
         const number factor = gram[k][i] / gram[i][i];
@@ -95,9 +78,9 @@ double from_polytope(const ph::point<D>& x, const std::vector<ph::half_space_par
       for (std::size_t k = 0; k < D; ++k) d[k] -= m * n[active[i]][k];
     }
     for (std::size_t i = 0; i < n.size(); ++i) {
-      if (g[i] + dot(n[i], d) > 1e-25) return;
+      if (g[i] + dot(n[i], d) > 1e-15L) return;
     }
-    const number length = sqrt(dot(d, d));
+    const number length = std::sqrt(dot(d, d));
     if (nearest < 0 || length < nearest) nearest = length;
   };
   for (std::size_t i = 0; i < n.size(); ++i) {

@@ -42,44 +42,28 @@ TEST(held_scene, has_another_margin_from_its_next_sample_on) {
   EXPECT_EQ(shown(held, -0.5, 1), -0.5);
 }
 
-TEST(held_scene, samples_once_a_period_where_the_loop_does_not_divide_it) {
-  ph::held_scene held(walls, 1.0);
-  EXPECT_EQ(shown(held, 1, 10.0), 1);
-  EXPECT_EQ(shown(held, 2, 10.7), 1);
-  EXPECT_EQ(shown(held, 3, 11.4), 3);
-  EXPECT_EQ(shown(held, 4, 12.1), 3) << "the period counts from the last sample";
-  EXPECT_EQ(shown(held, 5, 12.4), 5);
-}
-
 TEST(held_scene, a_hair_before_the_period_is_the_period_but_a_millionth_is_not) {
   ph::held_scene held(walls, 1.0);
   EXPECT_EQ(shown(held, 1, 0), 1);
   EXPECT_EQ(shown(held, 2, 1 - 1e-6), 1);
   EXPECT_EQ(shown(held, 3, 1 - 1e-12), 3);
+  EXPECT_EQ(shown(held, 4, 2.4), 4);
+  EXPECT_EQ(shown(held, 5, 3.1), 4) << "the period counts from the last sample";
+  EXPECT_EQ(shown(held, 6, 3.4), 6);
 }
 
 TEST(held_scene, period_zero_samples_every_time) {
   ph::held_scene held(walls, 0);
-  for (const double time : {0.0, 0.0, 1e-9, 5.0, 5.0}) {
-    static double depth = 0;
-    depth += 1;
-    EXPECT_EQ(shown(held, depth, time), depth) << "time " << time;
-  }
+  double depth = 0;
+  for (const double time : {0.0, 0.0, 1e-9, 5.0, 5.0}) EXPECT_EQ(shown(held, ++depth, time), depth) << time;
 }
 
 TEST(held_scene, samples_anew_where_time_runs_backwards) {
   ph::held_scene held(walls, 1.0);
   EXPECT_EQ(shown(held, 1, 100), 1);
-  EXPECT_EQ(shown(held, 2, 3), 2);
-  EXPECT_EQ(shown(held, 3, 3.5), 2);
-  EXPECT_EQ(shown(held, 4, 4), 4);
-}
-
-TEST(held_scene, samples_at_once_whatever_the_origin_of_time) {
-  for (const double origin : {-1e9, 0.0, 1e9}) {
-    ph::held_scene held(walls, 1.0);
-    EXPECT_EQ(shown(held, 1, origin), 1) << origin;
-  }
+  EXPECT_EQ(shown(held, 2, -1e6), 2);
+  EXPECT_EQ(shown(held, 3, -1e6 + 0.5), 2);
+  EXPECT_EQ(shown(held, 4, -1e6 + 1), 4);
 }
 
 // As a law carries a contact on by what the handle moved since, it does so by what the wall moved.

@@ -2,7 +2,6 @@
 // handle.
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
@@ -18,7 +17,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 namespace ph = passive_haptics;
 
@@ -109,16 +107,14 @@ TEST(a_latest_scene, carries_moving_walls_on_only_if_asked) {
   expect_carried_on(world);
 }
 
-TEST(a_latest_scene, has_the_margin_of_the_law_in_each_scene_that_comes) {
+TEST(a_latest_scene, gives_its_margin_to_each_scene_that_comes) {
   ph::scene_exchange<floor_scene> exchange(floor_at(0), 0.0);
-  ph::controller control(M(), ph::brakes_of<M>(), ph::latest_scene(exchange, {.stale_after = 1}),
-                         ph::velocity_direct_control());
+  ph::latest_scene latest(exchange);
+  latest.set_margin(3e-3);
   for (int k = 0; k < 5; ++k) {
-    const double y = 0.01 * k;
-    exchange.publish(floor_at(y), k * 1e-3);
-    const auto result = control(falling(y + 2e-3, k * 1e-3));
-    EXPECT_EQ(result.wall_number, 0) << k;
-    EXPECT_GT(result.capacity[1], 0) << "2 mm before the touch, scene " << k;
+    exchange.publish(floor_at(k), k);
+    EXPECT_EQ(ph::sense(latest, ph::point<2>(0, k + 2e-3), k).size(), 1)
+        << "2 mm before the touch, scene " << k;
   }
 }
 
@@ -192,61 +188,48 @@ TEST(a_latest_scene, refuses_parameters_that_it_cannot_follow) {
   EXPECT_THROW(ph::latest_scene(plain, {.extrapolate = true}), std::invalid_argument);
 }
 
-// A sheet that the handle has been pushed through must hold it when the scene is exchanged.
+// A sheet that the handle has been pushed through must hold it when the scene is exchanged, also where it
+// begins to move or ceases to. Another mesh has nothing to remember.
 TEST(a_latest_scene, keeps_the_handle_on_its_side_of_a_thin_wall) {
   const ph::mesh_parameters<2> line{.vertices = {{-1, 0}, {1, 0}}, .facets = {{1, 0}}};
-  ph::world_walls<2> walls;
-  const int sheet = walls.add_moving(ph::wall(ph::mesh_surface<2>(ph::mesh<2>(line))));
-  const ph::world<2> world(walls);
-  ph::point<2> front = {0.1, 0.01}, back = {0.1, -0.01};
-  {
-    ph::world<2> probe = world;
-    ph::sense(probe, front);
-    if (ph::sense(probe, back).empty()) std::swap(front, back);  // whichever side is its front
-  }
-  ph::scene_exchange<ph::world<2>> exchange(world, 0.0);
-  ph::latest_scene latest(exchange);
-  EXPECT_TRUE(ph::sense(latest, front, 0.0).empty());
-  EXPECT_EQ(ph::sense(latest, back, 0.001).size(), 1);
-  for (int k = 2; k < 50; ++k) {
-    const double time = 1e-3 * k;
-    if (k % 7 == 0) {
-      ph::world<2> next = world;
-      const double along = 1e-3 * k;
-      next.set_motion(sheet, {along, 0}, {1, 0});
-      exchange.publish(next, time);
-    }
-    ASSERT_EQ(ph::sense(latest, back, time).size(), 1) << "cycle " << k;
-    EXPECT_NEAR(ph::sense(latest, back, time)[0].depth, 0.01, 1e-9);
-  }
-  ph::world_walls<2> fixed;  // the same sheet, that nothing moves any more
-  fixed.add(walls.all().front());
-  exchange.publish(ph::world<2>(fixed), 0.05);
-  EXPECT_EQ(ph::sense(latest, back, 0.05).size(), 1);
-  ph::world_walls<2> others;  // the same number, but another mesh: nothing to remember
-  others.add_moving(ph::wall(ph::mesh_surface<2>(ph::mesh<2>(line))));
-  exchange.publish(ph::world<2>(others), 0.05);
-  EXPECT_TRUE(ph::sense(latest, back, 0.05).empty());
-}
-
-// As many walls that remember as there are of either kind: none, one that stays, one that moves.
-TEST(a_world, remembers_the_handle_at_walls_that_begin_to_move_or_cease_to) {
-  const ph::mesh_parameters<2> line{.vertices = {{-1, 0}, {1, 0}}, .facets = {{1, 0}}};
   const ph::any_wall<2> sheet = ph::wall(ph::mesh_surface<2>(ph::mesh<2>(line)));
-  ph::world_walls<2> still, moving;
+  ph::world_walls<2> still, moving, other;
   still.add(sheet);
   moving.add_moving(sheet);
-  const ph::world<2> nothing{ph::world_walls<2>()};
-  for (const auto& [before, after] : {std::pair(still, moving), std::pair(moving, still)}) {
-    ph::world<2> first(before), next(after), empty(nothing);
-    ph::sense(first, {0.1, 0.01});
-    EXPECT_EQ(ph::sense(first, {0.1, -0.01}).size(), 1);
-    next.remember(nothing);
-    next.remember(first);
-    EXPECT_EQ(ph::sense(next, {0.1, -0.01}).size(), 1);
-    empty.remember(first);
-    EXPECT_TRUE(ph::sense(empty, {0.1, -0.01}).empty());
+  other.add_moving(ph::wall(ph::mesh_surface<2>(ph::mesh<2>(line))));
+  const ph::point<2> front(0.1, 0.01), back(0.1, -0.01);
+  for (const bool moves_first : {false, true}) {
+    ph::scene_exchange<ph::world<2>> exchange(ph::world<2>(moves_first ? moving : still), 0.0);
+    ph::latest_scene latest(exchange);
+    EXPECT_TRUE(ph::sense(latest, front, 0.0).empty());
+    for (int k = 1; k < 20; ++k) {
+      const double time = 1e-3 * k;
+      if (k % 7 == 0) {
+        const bool moves = (k % 2 == 0) == moves_first;
+        ph::world<2> next(moves ? moving : still);
+        next.set_motion(0, {time, 0}, {1, 0});
+        exchange.publish(next, time);
+      }
+      ASSERT_EQ(ph::sense(latest, back, time).size(), 1) << "cycle " << k;
+      EXPECT_NEAR(ph::sense(latest, back, time)[0].depth, 0.01, 1e-9);
+    }
+    exchange.publish(ph::world<2>(other), 0.02);
+    EXPECT_TRUE(ph::sense(latest, back, 0.02).empty());
   }
+}
+
+// As many walls that remember as there are of either kind.
+TEST(a_world, remembers_nothing_of_a_world_of_nothing) {
+  const ph::mesh_parameters<2> line{.vertices = {{-1, 0}, {1, 0}}, .facets = {{1, 0}}};
+  ph::world_walls<2> walls;
+  walls.add_moving(ph::wall(ph::mesh_surface<2>(ph::mesh<2>(line))));
+  ph::world<2> sheet(walls), empty{ph::world_walls<2>()};
+  ph::sense(sheet, {0.1, 0.01});
+  EXPECT_EQ(ph::sense(sheet, {0.1, -0.01}).size(), 1);
+  empty.remember(sheet);
+  EXPECT_TRUE(ph::sense(empty, {0.1, -0.01}).empty());
+  sheet.remember(empty);
+  EXPECT_EQ(ph::sense(sheet, {0.1, -0.01}).size(), 1);
 }
 
 }  // namespace

@@ -40,9 +40,6 @@ std::string error_of(F&& make) {
   return "none";
 }
 
-static_assert(ph::Shape<ph::capsule<2>> && ph::Shape<ph::capsule<3>>);
-static_assert(ph::Shape<ph::box<2>> && ph::Shape<ph::box<3>>);
-static_assert(ph::Shape<ph::convex_polygon<3>> && ph::Shape<ph::convex_polytope<3, 7>>);
 static_assert(ph::Shape<ph::offset<ph::complement<ph::moving<custom::torus>>>>);
 static_assert(ph::MovingShape<ph::offset<ph::complement<ph::moving<custom::torus>>>>);
 static_assert(!ph::MovingShape<ph::offset<ph::complement<custom::torus>>>);
@@ -55,9 +52,10 @@ static_assert(!ph::PlaneFaced<ph::capsule<3>>);
 template <int D>
 void capsule_against_search() {
   random_source random(seed);
-  for (int k = 0; k < 2000; ++k) {
-    const auto a = anywhere<D>(random, 1), b = anywhere<D>(random, 1), x = anywhere<D>(random, 2);
-    const double radius = random.uniform(0.0, 1.0);
+  for (int k = 0; k < 500; ++k) {
+    const auto a = anywhere<D>(random, 1), x = anywhere<D>(random, 2);
+    const ph::point<D> b = k % 10 == 0 ? a : anywhere<D>(random, 1);
+    const double radius = k % 7 == 0 ? 0 : random.uniform(0.0, 1.0);
     const ph::capsule<D> shape(a, b, radius);
     ASSERT_NEAR(shape.distance(x), static_cast<double>(closest_points::from_segment<D>(x, a, b) - radius),
                 16 * eps)
@@ -70,53 +68,38 @@ TEST(capsule, has_the_distance_that_a_search_over_its_segment_finds) {
   capsule_against_search<3>();
 }
 
-TEST(capsule, of_two_equal_ends_is_a_ball) {
-  random_source random(seed);
-  const ph::point<3> centre(0.1, -0.2, 0.3);
-  const ph::capsule<3> shape(centre, centre, 0.5);
-  const ph::ball<3> ball(centre, 0.5);
-  for (int k = 0; k < 100; ++k) {
-    const auto x = anywhere<3>(random, 1);
-    EXPECT_EQ(shape.distance(x), ball.distance(x));
-    EXPECT_LE((shape.gradient(x) - ball.gradient(x)).norm(), 4 * eps);
-  }
-  EXPECT_EQ(shape.distance(centre), -0.5);
-  EXPECT_EQ(shape.gradient(centre).norm(), 1);
-}
-
-TEST(capsule, has_a_unit_gradient_across_its_segment_on_it) {
+// On the medial axis and where squares leave the range of numbers.
+TEST(a_shape, has_a_unit_gradient_where_it_has_none_to_choose) {
+  const auto expect_unit = []<class S>(const S& shape, const ph::point<S::dimension>& x) {
+    EXPECT_NEAR(shape.gradient(x).norm(), 1, 4 * eps) << typeid(S).name() << " at " << x.transpose();
+  };
   const ph::point<3> from(0, 0, 0), to(1, 2, -2);
-  const ph::capsule<3> shape(from, to, 0.1);
-  const ph::point<3> n = shape.gradient(0.5 * to);
-  EXPECT_NEAR(n.norm(), 1, 4 * eps);
-  EXPECT_NEAR(n.dot(to), 0, 8 * eps);
-  EXPECT_NEAR(shape.distance(0.5 * to), -0.1, eps);
+  EXPECT_NEAR(ph::capsule<3>(from, to, 0.1).gradient(0.5 * to).dot(to), 0, 8 * eps);
+  expect_unit(ph::capsule<3>(from, to, 0.1), 0.5 * to);
+  expect_unit(ph::capsule<3>(to, to, 0.5), to);
   for (int axis = 0; axis < 3; ++axis) {
     const ph::point<3> along = ph::point<3>::Unit(axis);
     const ph::point<3> across = ph::capsule<3>(from, -along, 0.1).gradient(-0.5 * along);
     EXPECT_EQ(across.norm(), 1);
     EXPECT_EQ(across.dot(along), 0);
   }
-}
+  const ph::capsule<2> lying({0, 0}, {1, 0}, 1);
+  EXPECT_EQ(lying.gradient({0.5, 1e-170}), ph::point<2>(0, 1));
+  EXPECT_EQ(lying.gradient({0.5, -5e-324}), ph::point<2>(0, -1));
 
-TEST(capsule, without_a_radius_is_a_segment_that_touches_nothing_until_it_grows) {
-  const ph::capsule<2> segment({0, 0}, {1, 0}, 0);
-  EXPECT_EQ(segment.distance({0.3, 0}), 0);
-  EXPECT_EQ(segment.distance({0.3, 0.2}), 0.2);
-  EXPECT_NEAR(ph::offset(segment, 0.3).distance({0.3, 0.2}), -0.1, eps);
-}
-
-TEST(capsule, keeps_a_unit_gradient_where_squares_underflow) {
-  const ph::capsule<2> shape({0, 0}, {1, 0}, 1);
-  EXPECT_EQ(shape.gradient({0.5, 1e-170}), ph::point<2>(0, 1));
-  EXPECT_EQ(shape.gradient({0.5, -5e-324}), ph::point<2>(0, -1));
+  EXPECT_EQ(ph::box<3>({0, 0, 0}, {1, 2, 3}).gradient({0, 0, 0}), ph::point<3>(1, 0, 0))
+      << "the nearest face";
+  expect_unit(ph::box<2>({1, 1}, {0, 0}), {1, 1});
+  const ph::convex_polygon square({{0, 0}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}});  // three corners on a line
+  EXPECT_EQ(square.distance({0.5, -1}), 1);
+  for (const ph::point<2>& x : {ph::point<2>(1, 1), {1e300, 1e300}, {-1e300, 0.5}, {1e300, -1e200}})
+    expect_unit(square, x);
 }
 
 template <int D>
 void box_against_enumeration() {
   random_source random(seed);
-  double worst = 0;
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 100; ++k) {
     ph::box_parameters<D> p{anywhere<D>(random, 1), anywhere<D>(random, 1).cwiseAbs(), any_frame<D>(random)};
     if (k % 5 == 0) p.half_extents[0] = 0;
     const ph::box<D> shape(p);
@@ -130,36 +113,14 @@ void box_against_enumeration() {
     for (int l = 0; l < 10; ++l) {
       const auto x = anywhere<D>(random, 2);
       const double expected = closest_points::from_polytope<D>(x, planes);
-      worst = std::max(worst, std::abs(shape.distance(x) - expected));
       ASSERT_NEAR(shape.distance(x), expected, 32 * eps) << "seed " << seed << ", x = " << x.transpose();
     }
   }
-  std::cout << "box<" << D << ">: largest error " << worst << " m\n";
 }
 
 TEST(box, has_the_distance_that_enumeration_finds) {
   box_against_enumeration<2>();
   box_against_enumeration<3>();
-}
-
-TEST(box, is_felt_at_faces_edges_and_corners) {
-  const ph::box<3> shape({0, 0, 0}, {1, 2, 3});
-  EXPECT_EQ(shape.distance({0, 0, 0}), -1);
-  EXPECT_EQ(shape.distance({0.5, 1.75, 0}), -0.25);
-  EXPECT_EQ(shape.gradient({0.5, -1.75, 0}), ph::point<3>(0, -1, 0));
-  EXPECT_EQ(shape.distance({1, 2, 3}), 0);
-  EXPECT_EQ(shape.gradient({1, 0, 0}), ph::point<3>(1, 0, 0));
-  EXPECT_EQ(shape.distance({4, 6, 0}), 5);
-  EXPECT_EQ(shape.gradient({4, 6, 0}), ph::point<3>(0.6, 0.8, 0));
-  EXPECT_EQ(shape.distance({1 + 2, 2 + 3, 3 + 6}), 7);
-  EXPECT_EQ(shape.gradient({0, 0, 0}), ph::point<3>(1, 0, 0));  // the medial axis: the first nearest face
-}
-
-TEST(box, without_extent_is_a_point) {
-  const ph::box<2> shape({1, 1}, {0, 0});
-  EXPECT_EQ(shape.distance({4, 5}), 5);
-  EXPECT_EQ(shape.distance({1, 1}), 0);
-  EXPECT_EQ(shape.gradient({1, 1}).norm(), 1);
 }
 
 TEST(box, makes_printed_axes_orthonormal) {
@@ -172,10 +133,9 @@ TEST(box, makes_printed_axes_orthonormal) {
   EXPECT_NEAR(ph::box<2>(p).gradient({3, 0}).dot(ph::box<2>(p).gradient({0, 3})), 0, eps);
 }
 
-TEST(convex_polygon, has_the_distance_that_a_search_over_its_edges_finds) {
+TEST(convex_polygon, has_the_distance_that_enumeration_finds) {
   random_source random(seed);
-  double worst = 0;
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < 50; ++k) {
     constexpr std::size_t K = 7;
     ph::convex_polygon_parameters<K> p;
     std::array<double, K> angles;
@@ -185,37 +145,23 @@ TEST(convex_polygon, has_the_distance_that_a_search_over_its_edges_finds) {
     const double flat = random.uniform(0.1, 1.0);
     for (std::size_t i = 0; i < K; ++i) p.corners[i] = {std::cos(angles[i]), flat * std::sin(angles[i])};
     const ph::convex_polygon shape(p);
+    std::vector<ph::half_space_parameters<2>> planes;
+    for (std::size_t i = 0; i < K; ++i) {
+      const ph::point<2> edge = (k % 2 == 0 ? -1 : 1) * (p.corners[(i + 1) % K] - p.corners[i]);
+      planes.push_back({p.corners[i], {edge.y(), -edge.x()}});
+    }
     for (int l = 0; l < 20; ++l) {
       const auto x = anywhere<2>(random, 1.5);
-      const auto expected =
-          static_cast<double>(closest_points::from_polygon(x, {p.corners.begin(), p.corners.end()}));
-      worst = std::max(worst, std::abs(shape.distance(x) - expected));
+      const double expected = closest_points::from_polytope<2>(x, planes);
       ASSERT_NEAR(shape.distance(x), expected, 16 * eps) << "seed " << seed << ", x = " << x.transpose();
     }
   }
-  std::cout << "convex_polygon: largest error " << worst << " m\n";
-}
-
-TEST(convex_polygon, allows_corners_on_a_line) {
-  const ph::convex_polygon shape({{0, 0}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}});
-  EXPECT_EQ(shape.distance({0.5, -1}), 1);
-  EXPECT_EQ(shape.distance({0.5, 0.25}), -0.25);
-  EXPECT_EQ(shape.distance({4, 5}), 5);
-  EXPECT_EQ(shape.distance({1, 1}), 0);
-  EXPECT_EQ(shape.gradient({1, 1}).norm(), 1);
-}
-
-TEST(convex_polygon, keeps_a_unit_gradient_where_squares_overflow) {
-  const ph::convex_polygon shape({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  for (const ph::point<2>& x : {ph::point<2>(1e300, 1e300), {-1e300, 0.5}, {1e300, -1e200}})
-    EXPECT_NEAR(shape.gradient(x).norm(), 1, 4 * eps) << x.transpose();
 }
 
 template <int D, int K>
 void polytope_against_enumeration() {
   random_source random(seed);
-  double worst = 0;
-  for (int k = 0; k < 100; ++k) {
+  for (int k = 0; k < 40; ++k) {
     ph::convex_polytope_parameters<D, K> p;
     const auto centre = anywhere<D>(random, 1);
     for (auto& face : p.faces) {
@@ -228,29 +174,16 @@ void polytope_against_enumeration() {
     for (int l = 0; l < 10; ++l) {
       const ph::point<D> x = centre + anywhere<D>(random, 2);
       const double expected = closest_points::from_polytope<D>(x, planes);
-      worst = std::max(worst, std::abs(shape.distance(x) - expected));
       ASSERT_NEAR(shape.distance(x), expected, 1e-13) << "seed " << seed << ", x = " << x.transpose();
       ASSERT_NEAR(shape.gradient(x).norm(), 1, 16 * eps);
       for (const auto& face : shape.faces()) ASSERT_LE(face.distance(x), shape.distance(x));
     }
   }
-  std::cout << "convex_polytope<" << D << ", " << K << ">: largest error " << worst << " m\n";
 }
 
 TEST(convex_polytope, has_the_distance_that_enumeration_finds) {
-  polytope_against_enumeration<2, 3>();
   polytope_against_enumeration<2, 6>();
-  polytope_against_enumeration<3, 4>();
   polytope_against_enumeration<3, 8>();
-}
-
-TEST(convex_polytope, is_exact_beyond_edges_where_the_planes_alone_are_too_near) {
-  const ph::convex_polytope corner(ph::half_space<2>({0, 0}, {1, 0}), ph::half_space<2>({0, 0}, {0, 1}));
-  EXPECT_NEAR(corner.distance({3, 4}), 5, 8 * eps);
-  EXPECT_LE((corner.gradient({3, 4}) - ph::point<2>(0.6, 0.8)).norm(), 4 * eps);
-  EXPECT_EQ(corner.distance({3, -4}), 3);
-  EXPECT_EQ(corner.distance({0, 0}), 0);
-  EXPECT_EQ(corner.distance({-3, -4}), -3);
 }
 
 TEST(convex_polytope, is_as_exact_as_the_sine_of_its_sharpest_angle_allows) {
@@ -298,10 +231,8 @@ TEST(a_shape, has_a_nan_distance_for_a_nan) {
   const ph::convex_polygon polygon({{0, 0}, {1, 0}, {0, 1}});
   const ph::box<3> cube({0, 0, 0}, {1, 1, 1});
   const auto f = cube.faces();
-  expect_nan(ph::capsule<2>({0, 0}, {1, 1}, 0.1));
   expect_nan(ph::capsule<3>({0, 0, 0}, {1, 0, 0}, 0.1));
   expect_nan(ph::capsule<3>({0, 0, 0}, {0, 0, 0}, 0.1));
-  expect_nan(ph::box<2>({0, 0}, {1, 1}));
   expect_nan(cube);
   expect_nan(polygon);
   expect_nan(ph::convex_polytope(f[0], f[1], f[2], f[3], f[4], f[5]));
@@ -335,48 +266,21 @@ TEST(a_shape, knows_the_box_about_it) {
                 at2(0.9, 0.7));
 }
 
-// Wrapped in all ways, a ball bends as the ball does, the other way round where it is a hollow.
-TEST(a_shape, bends_as_the_shape_within_it) {
-  const ph::ball<3> ball({1, 0, 0}, 0.5);
-  const ph::point<3> x(1, 3, 4), u(0, -6, 2);
-  ph::matrix<double, 3, 3> bend = ph::matrix<double, 3, 3>::Identity();
-  bend.block<2, 2>(1, 1) << 0.64, -0.48, -0.48, 0.36;  // I - n n^T for n = (0, 0.6, 0.8)
-  bend /= 5;
-  EXPECT_TRUE(ball.hessian(x).isApprox(bend, 4 * eps));
-  EXPECT_TRUE(ph::ball<3>({1, 0, 0}, 0.5, ph::filling::hollow).hessian(x).isApprox(-bend, 4 * eps));
-  EXPECT_TRUE(ph::complement(ball).hessian(x).isApprox(-bend, 4 * eps));
-  EXPECT_TRUE(ph::offset(ball, 0.2).hessian(x).isApprox(bend, 4 * eps));
-  ph::moving carried(ball);
-  carried.set_motion(u, {0, 0, 0});
-  EXPECT_TRUE(carried.hessian(x + u).isApprox(bend, 4 * eps));
-  EXPECT_TRUE(ball.hessian({1, 0, 0}).isZero(0)) << "where there is none";
-}
-
 TEST(a_complement, swaps_wall_and_free_space) {
-  random_source random(seed);
-  const ph::ball<2> solid({0.1, 0.2}, 0.5), hollow({0.1, 0.2}, 0.5, ph::filling::hollow);
+  const ph::ball<2> solid({0.1, 0.2}, 0.5);
   const ph::complement outside(solid);
-  for (int k = 0; k < 100; ++k) {
-    const auto x = anywhere<2>(random, 1);
-    EXPECT_EQ(outside.distance(x), hollow.distance(x));
-    EXPECT_EQ(outside.gradient(x), hollow.gradient(x));
+  for (const ph::point<2>& x : {ph::point<2>(0.3, 0.4), {-1, 2}}) {
+    EXPECT_EQ(outside.distance(x), -solid.distance(x));
+    EXPECT_EQ(outside.gradient(x), -solid.gradient(x));
     EXPECT_EQ(ph::complement(outside).distance(x), solid.distance(x));  // twice, not a copy
   }
 }
 
-TEST(a_moving_shape, is_displaced_and_tells_its_velocity) {
-  ph::moving wheel(ph::disc({0, 0}, 0.5));
-  EXPECT_EQ(wheel.distance({2, 0}), 1.5);
-  EXPECT_EQ(wheel.velocity({2, 0}), ph::point<2>(0, 0));
-  wheel.set_motion({1, 0}, {0.1, 0.2});
-  EXPECT_EQ(wheel.distance({2, 0}), 0.5);
-  EXPECT_EQ(wheel.gradient({1, 2}), ph::point<2>(0, 1));
-  EXPECT_EQ(wheel.velocity({2, 0}), ph::point<2>(0.1, 0.2));
-}
-
-TEST(a_moving_shape, inside_another_adds_its_velocity) {
+TEST(a_moving_shape, is_displaced_and_adds_its_velocity_to_that_of_the_shape_within_it) {
   ph::moving inner(ph::disc({0, 0}, 0.5));
+  EXPECT_EQ(inner.velocity({2, 0}), ph::point<2>(0, 0));
   inner.set_motion({1, 0}, {0.1, 0});
+  EXPECT_EQ(inner.gradient({1, 2}), ph::point<2>(0, 1));
   ph::moving outer(inner);
   outer.set_motion({0, 1}, {0, 0.2});
   EXPECT_EQ(outer.distance({1, 3}), 1.5);
@@ -419,15 +323,10 @@ TEST(a_room, is_touched_at_all_faces_of_a_corner_at_once) {
   EXPECT_TRUE(ph::sense(walls, {0.9, -1.9, 2.9}).empty());
   const auto touched = ph::sense(walls, {1.25, -2.5, 3.125});
   ASSERT_EQ(touched.size(), 3);
-  const std::array<int, 3> faces = {0, 3, 4};
-  const std::array<double, 3> depths = {0.25, 0.5, 0.125};
-  const std::array<ph::point<3>, 3> normals = {-ph::point<3>::UnitX(), ph::point<3>::UnitY(),
-                                               -ph::point<3>::UnitZ()};
+  const std::tuple<int, double, ph::point<3>> expected[] = {
+      {0, 0.25, {-1, 0, 0}}, {3, 0.5, {0, 1, 0}}, {4, 0.125, {0, 0, -1}}};
   for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    EXPECT_EQ(touched[i].wall_number, faces[k]);
-    EXPECT_EQ(touched[i].depth, depths[k]);
-    EXPECT_EQ(touched[i].normal, normals[k]);
+    EXPECT_EQ(std::tuple(touched[i].wall_number, touched[i].depth, touched[i].normal), expected[i]);
     EXPECT_EQ(touched[i].stiffness, 5e3);
   }
 }
@@ -438,7 +337,7 @@ TEST(a_room, of_a_polygon_or_polytope_has_the_walls_of_its_faces) {
   const auto f = polygon.faces();
   const auto one = ph::walls_of(polygon);
   const auto other = ph::walls_of(ph::convex_polytope(f[0], f[1], f[2], f[3], f[4]));
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 200; ++k) {
     const auto x = anywhere<2>(random, 1);
     const auto touched = ph::sense(one, x);
     ASSERT_EQ(touched.size(), ph::sense(other, x).size());
@@ -457,8 +356,7 @@ TEST(a_tube, is_free_within_its_radius) {
 
 TEST(a_slot, is_free_between_its_walls) {
   const auto walls = ph::slot<3>({0, 0, 1}, {0, 0, 2}, 0.25, 1e3);
-  EXPECT_TRUE(ph::sense(walls, {5, 6, 1.25}).empty());
-  EXPECT_TRUE(ph::sense(walls, {5, 6, 0.75}).empty());
+  for (const double z : {1.25, 0.75}) EXPECT_TRUE(ph::sense(walls, {5, 6, z}).empty());
   const auto above = ph::sense(walls, {5, 6, 1.5}), below = ph::sense(walls, {5, 6, 0});
   ASSERT_EQ(above.size(), 1);
   ASSERT_EQ(below.size(), 1);

@@ -3,9 +3,8 @@
 #include "../../tested_types.hpp"
 #include "many_shapes.hpp"
 
-#include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/mechanism/models/delta.hpp>
+#include <passive_haptics/scene/scene.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/capsule.hpp>
 #include <passive_haptics/scene/shapes/complement.hpp>
 #include <passive_haptics/scene/shapes/moving.hpp>
@@ -54,26 +53,6 @@ struct world : ::testing::Test {
 using dimensions = tested_types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(world, dimensions);
 
-TYPED_TEST(world, is_touched_as_a_scan_over_everything_says) {
-  constexpr int D = TestFixture::dimension;
-  ph::testing::random_source random(seed);
-  const many_shapes::shapes<D> all(D == 2 ? 300 : 8'000, random);
-  ph::world<D> w(counted_walls(all));
-  many_shapes::wandering_hand<D> hand(5e-4, random);
-  int touched = 0;
-  looks = 0;
-  const int cycles = 5000;
-  for (int k = 0; k < cycles; ++k) {
-    const ph::point<D> x = hand.next();
-    const auto& found = ph::sense(w, x);
-    ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<D + 1>(all, x)))
-        << "seed " << seed << ", cycle " << k;
-    touched += found.size();
-  }
-  EXPECT_GT(touched, 20);
-  EXPECT_LT(looks, cycles) << "most cycles look at nothing";
-}
-
 TYPED_TEST(world, is_touched_as_a_scan_says_after_jumps_near_and_far) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(seed);
@@ -81,7 +60,7 @@ TYPED_TEST(world, is_touched_as_a_scan_says_after_jumps_near_and_far) {
   ph::world<D> w(all.walls());
   ph::point<D> x = ph::point<D>::Constant(0.5);
   int touched = 0;
-  for (int k = 0; k < 10'000; ++k) {
+  for (int k = 0; k < 5000; ++k) {
     switch (k % 7) {
       case 0: x = random.between<double, D>(ph::point<D>::Constant(-0.1), ph::point<D>::Constant(1.1)); break;
       case 1: x += 1e-17 * random.direction<double, D>(); break;
@@ -96,32 +75,34 @@ TYPED_TEST(world, is_touched_as_a_scan_says_after_jumps_near_and_far) {
         << "seed " << seed << ", jump " << k;
     touched += found.size();
   }
-  EXPECT_GT(touched, 1000);
+  EXPECT_GT(touched, 500);
 }
 
+// Without a margin at first, when most cycles look at nothing.
 TYPED_TEST(world, is_touched_from_its_margin_on_as_a_scan_says) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(seed);
   const many_shapes::shapes<D> all(D == 2 ? 300 : 8'000, random);
   ph::world<D, 8> w(counted_walls(all));
   many_shapes::wandering_hand<D> hand(5e-4, random);
-  constexpr int cycles = 6000;
-  int before_touch = 0;
+  int touched = 0, before_touch = 0;
   looks = 0;
-  double margin = 0.003;
-  w.set_margin(margin);
-  for (int k = 0; k < cycles; ++k) {
-    if (k % 1000 == 999) w.set_margin(margin = random.uniform(0.0, 0.006));
+  double margin = 0;
+  for (int k = 0; k < 8000; ++k) {
+    if (k == 3000) {
+      EXPECT_LT(looks, 3000);
+    }
+    if (k % 1000 == 999 && k > 3000) w.set_margin(margin = random.uniform(0.0, 0.006));
     ph::point<D> x = hand.next();
     if (k % 500 == 499) x += random.direction<double, D>();  // a jump
     const auto& found = ph::sense(w, x);
     ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<8>(all, x, margin)))
         << "seed " << seed << ", cycle " << k;
-    for (const auto& c : found) before_touch += c.depth < 0;
+    for (const auto& c : found) ++(c.depth < 0 ? before_touch : touched);
   }
-  EXPECT_GT(before_touch, 100);
-  EXPECT_LT(looks, 2 * cycles);
-  std::printf("contacts before the touch: %d, looks: %ld\n", before_touch, looks);
+  EXPECT_GT(touched, 10);
+  EXPECT_GT(before_touch, 30);
+  EXPECT_LT(looks, 16'000);
 }
 
 // The bound of a cycle: 64 looks beyond the contacts, at any speed.
@@ -133,14 +114,13 @@ TYPED_TEST(world, looks_at_few_in_the_worst_cycle) {
   long worst = 0;
   for (const double step : {2e-6, 2e-4, 2e-3, 2e-2}) {
     many_shapes::wandering_hand<D> hand(step, random);
-    for (int k = 0; k < 20'000; ++k) {
+    for (int k = 0; k < 5000; ++k) {
       looks = 0;
       const auto& found = ph::sense(w, hand.next());
       worst = std::max(worst, looks - found.size() - w.left_out());
     }
   }
   EXPECT_LE(worst, 64);
-  std::printf("most looks in a cycle beyond the contacts: %ld\n", worst);
 }
 
 // Two rooms without bounds: a hand at the wall of the inner one, and the outer one 9 m further off.
@@ -190,7 +170,7 @@ TYPED_TEST(world, is_touched_as_a_scan_says_in_a_heap_of_all_sizes) {
   ph::world<D> w(all.walls());
   ph::point<D> x = middle;
   int touched = 0;
-  for (int k = 0; k < 20'000; ++k) {
+  for (int k = 0; k < 5000; ++k) {
     const double r = (x - middle).norm();  // the size of the balls about x, too
     if (r < 1e-5 || r > 0.5) x = middle + random.positive(1e-4, 0.3) * random.direction<double, D>();
     else x += random.positive(0.01, 1.0) * r * random.direction<double, D>();
@@ -199,7 +179,7 @@ TYPED_TEST(world, is_touched_as_a_scan_says_in_a_heap_of_all_sizes) {
         << "seed " << seed << ", step " << k;
     touched += found.size();
   }
-  EXPECT_GT(touched, 1000);
+  EXPECT_GT(touched, 250);
 }
 
 // With a list of so few that what is near keeps driving out what is further: from anywhere straight to the
@@ -218,7 +198,7 @@ TYPED_TEST(world, looks_at_all_that_is_touched_however_few_it_lists) {
   }
   const ph::bounding_volume_tree<D> tree(boxes);
   ph::neighbour_list<D, listed> near(0, tree.scale());
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 200; ++k) {
     const ph::point<D> from = anywhere();
     auto by_distance = balls;
     const auto last = by_distance.begin() + listed - 1;
@@ -241,13 +221,6 @@ TYPED_TEST(world, looks_at_all_that_is_touched_however_few_it_lists) {
   }
 }
 
-TYPED_TEST(world, of_nothing_is_free) {
-  constexpr int D = TestFixture::dimension;
-  ph::world<D> w{ph::world_walls<D>()};
-  EXPECT_TRUE(ph::sense(w, ph::point<D>(ph::point<D>::Zero())).empty());
-  EXPECT_TRUE(ph::sense(w, ph::point<D>(ph::point<D>::Ones())).empty());
-}
-
 TYPED_TEST(world, tells_of_a_position_that_is_none_and_forgets_it) {
   constexpr int D = TestFixture::dimension;
   ph::world_walls<D> walls;
@@ -255,6 +228,8 @@ TYPED_TEST(world, tells_of_a_position_that_is_none_and_forgets_it) {
   ph::world<D> w(walls);
   const ph::point<D> inside = 0.005 * ph::point<D>::UnitX();
   EXPECT_EQ(ph::sense(w, inside).size(), 1);
+  ph::world<D> empty{ph::world_walls<D>()};
+  EXPECT_TRUE(ph::sense(empty, inside).empty());
   for (const double bad : {nan, HUGE_VAL, -HUGE_VAL}) {
     ph::point<D> x = inside;
     x[D - 1] = bad;
@@ -271,9 +246,9 @@ TYPED_TEST(world, copies_have_a_memory_of_their_own) {
   const many_shapes::shapes<D> all(500, random);
   ph::world<D> a(all.walls());
   many_shapes::wandering_hand<D> hand(1e-3, random), other(1e-3, random);
-  for (int k = 0; k < 500; ++k) ph::sense(a, hand.next());
+  for (int k = 0; k < 100; ++k) ph::sense(a, hand.next());
   ph::world<D> b = a;
-  for (int k = 0; k < 2000; ++k) {
+  for (int k = 0; k < 500; ++k) {
     const ph::point<D> x = hand.next(), y = other.next();
     ASSERT_TRUE(many_shapes::same(ph::sense(a, x), many_shapes::scan<D + 1>(all, x)));
     ASSERT_TRUE(many_shapes::same(ph::sense(b, y), many_shapes::scan<D + 1>(all, y)));
@@ -284,43 +259,26 @@ TYPED_TEST(world, copies_have_a_memory_of_their_own) {
 TYPED_TEST(world, is_of_any_shape_with_bounds_or_without) {
   constexpr int D = TestFixture::dimension;
   const ph::point<D> e = ph::point<D>::UnitX(), o = ph::point<D>::Zero();
-  const ph::ball<D> ball(o, 0.1), far_ball(5 * e, 0.2);
-  const ph::capsule<D> bar(0.3 * e, 2 * e, 0.1);
-  const ph::box<D> cube(3 * e, ph::point<D>::Constant(0.2));
   ph::world_walls<D> walls;
-  walls.add(ph::wall(ball));
-  walls.add(ph::wall(bar));
-  walls.add(ph::wall(ph::offset(cube, 0.05)));
-  walls.add(ph::wall(ph::complement(ph::ball<D>(o, 10))));
-  walls.add(ph::wall(ph::ball<D>(o, 12, ph::filling::hollow)));
-  walls.add(ph::any_wall<D>(ph::wall(ph::offset(far_ball, -0.05)), ph::box_about<D>(5 * e, 0.2)));
+  auto scan = ph::scene(ph::wall(ph::ball<D>(o, 0.1)), ph::wall(ph::capsule<D>(0.3 * e, 2 * e, 0.1)),
+                        ph::wall(ph::offset(ph::box<D>(3 * e, ph::point<D>::Constant(0.2)), 0.05)),
+                        ph::wall(ph::complement(ph::ball<D>(o, 10))),
+                        ph::wall(ph::ball<D>(o, 12, ph::filling::hollow)),
+                        ph::wall(ph::offset(ph::ball<D>(5 * e, 0.2), -0.05)));
+  scan.for_each([&](int number, const auto& wall) {
+    if (number < 5) walls.add(wall);
+  });
+  walls.add(ph::any_wall<D>(scan.template get<5>(), ph::box_about<D>(5 * e, 0.2)));
   ph::world<D, 6> w(walls);
-  const auto scan =
-      ph::scene(ph::wall(ball), ph::wall(bar), ph::wall(ph::offset(cube, 0.05)),
-                ph::wall(ph::complement(ph::ball<D>(o, 10))),
-                ph::wall(ph::ball<D>(o, 12, ph::filling::hollow)), ph::wall(ph::offset(far_ball, -0.05)));
   ph::testing::random_source random(seed);
   int touched[6] = {};
-  for (int k = 0; k < 20'000; ++k) {
+  for (int k = 0; k < 3000; ++k) {
     const ph::point<D> x = random.positive(1e-3, 15.0) * (k % 2 == 0 ? random.direction<double, D>() : e);
     ASSERT_TRUE(many_shapes::same(ph::sense(w, x), ph::sense(scan, x))) << "seed " << seed << ", point " << k;
     for (const auto& c : ph::sense(w, x)) ++touched[c.wall_number];
   }
-  for (const int n : touched) EXPECT_GT(n, 10);
+  for (const int n : touched) EXPECT_GT(n, 2);
 }
-
-// A wall that tells where it was told that the handle was.
-struct following_wall {
-  static constexpr int dimension = 2;
-  struct tracker {};
-  inline static ph::point<2> told = ph::point<2>::Zero();
-  ph::bounding_box<2> bounds() const { return ph::box_about<2>({0, 0}, 1); }
-  template <class Add>
-  double follow(const ph::point<2>& from, const ph::point<2>&, tracker&, Add&&) const {
-    told = from;
-    return 0;
-  }
-};
 
 // A wall that lies where it was told.
 struct wall_within {
@@ -351,73 +309,35 @@ TEST(a_world, refuses_a_wall_that_is_nowhere) {
   EXPECT_THROW(ph::world<2>{given}, std::invalid_argument);
 }
 
-TEST(a_world, that_forgets_the_handle_follows_it_from_nowhere) {
-  ph::world_walls<2> walls;
-  walls.add(ph::wall(following_wall{}));
-  ph::world<2> w(walls);
-  const auto told_at = [&](double x) {
-    ph::sense(w, {x, 0});
-    return following_wall::told;
-  };
-  EXPECT_TRUE(told_at(0.1).hasNaN());
-  EXPECT_EQ(told_at(0.2), ph::point<2>(0.1, 0));
-  w.reset();
-  EXPECT_TRUE(told_at(0.3).hasNaN());
-  EXPECT_EQ(told_at(0.4), ph::point<2>(0.3, 0));
-}
-
-// A wall that counts in one byte how often it was asked, from 7.
-struct counting_wall {
+// Stores where the handle came from, and counts from 7 in one byte of its tracker how often it was asked.
+struct following_wall {
   static constexpr int dimension = 2;
   struct tracker {
     signed char count = 7;
   };
-  inline static int told = 0;
+  inline static ph::point<2> came_from = ph::point<2>::Zero();
+  inline static int count = 0;
   ph::bounding_box<2> bounds() const { return ph::box_about<2>({0, 0}, 1); }
   template <class Add>
-  double follow(const ph::point<2>&, const ph::point<2>&, tracker& t, Add&&) const {
-    told = t.count++;
+  double follow(const ph::point<2>& from, const ph::point<2>&, tracker& t, Add&&) const {
+    came_from = from;
+    count = t.count++;
     return 0;
   }
 };
 
-TEST(a_world, gives_each_tracker_its_room_and_its_beginning) {
+TEST(a_world, that_forgets_the_handle_begins_again) {
   ph::world_walls<2> walls;
-  walls.add(ph::wall(counting_wall{}));
+  walls.add(ph::wall(following_wall{}));
   ph::world<2> w(walls);
-  for (int k = 0; k < 3; ++k) {
-    ph::sense(w, {0, 0});
-    EXPECT_EQ(counting_wall::told, 7 + k);
-  }
-  w.reset();
-  ph::sense(w, {0, 0});
-  EXPECT_EQ(counting_wall::told, 7);
-}
-
-TEST(a_world, looks_at_nothing_while_the_hand_stays_in_free_space) {
-  ph::world_walls<2> walls;
-  walls.add(ph::wall(counted<ph::ball<2>>(ph::disc({2, 0}, 1))));
-  walls.add(ph::wall(counted<ph::half_space<2>>(ph::half_space<2>({-1, 0}, {1, 0}))));
-  ph::world<2> w(walls);
-  for (int k = 0; k < 2; ++k) ph::sense(w, {0, 0});
-  looks = 0;
-  for (int k = 0; k < 1000; ++k) EXPECT_TRUE(ph::sense(w, {k % 2 == 0 ? 0.1 : -0.1, 0}).empty());
-  EXPECT_EQ(looks, 0);
-}
-
-TYPED_TEST(world, tells_of_a_fixed_wall_beside_a_moving_one_that_it_stands_still) {
-  constexpr int D = TestFixture::dimension;
-  const ph::point<D> e = ph::point<D>::UnitX(), o = ph::point<D>::Zero();
-  ph::world_walls<D> walls;
-  const int fixed = walls.add(ph::wall(ph::ball<D>(o, 1)));
-  const int lid = walls.add_moving(ph::wall(ph::half_space<D>(o, e)));
-  ph::world<D> w(walls);
-  w.set_motion(lid, o, 0.5 * e);
-  for (int k = 0; k < 3; ++k) {
-    const auto& found = ph::sense(w, ph::point<D>(-0.5 * e));
-    ASSERT_EQ(found.size(), 2);
-    EXPECT_EQ(found[fixed].wall_velocity, o);
-    EXPECT_EQ(found[lid].wall_velocity, 0.5 * e);
+  for (int again = 0; again < 2; ++again) {
+    for (int k = 0; k < 3; ++k) {
+      ph::sense(w, {0.1 * k, 0});
+      EXPECT_EQ(following_wall::came_from.hasNaN(), k == 0);
+      EXPECT_TRUE(k == 0 || following_wall::came_from == ph::point<2>(0.1 * (k - 1), 0));
+      EXPECT_EQ(following_wall::count, 7 + k);
+    }
+    w.reset();
   }
 }
 
@@ -434,7 +354,7 @@ TYPED_TEST(world, has_walls_that_move) {
   many_shapes::wandering_hand<D> hand(2e-4, random);
   ph::point<D> displacement = ph::point<D>::Zero();
   int touched = 0;
-  for (int k = 0; k < 20'000; ++k) {
+  for (int k = 0; k < 10'000; ++k) {
     const ph::point<D> x = hand.next();
     const ph::point<D> velocity = random.normal_vector<double, D>();
     if (k % 3 != 0) {  // it comes after the handle
@@ -454,27 +374,39 @@ TYPED_TEST(world, has_walls_that_move) {
       ASSERT_TRUE(many_shapes::same(ph::sense(w, x), expected)) << "seed " << seed << ", cycle " << k;
     }
   }
-  EXPECT_GT(touched, 1000);
+  EXPECT_GT(touched, 200);
   EXPECT_FALSE(w.set_motion(still - 2, displacement, displacement)) << "it was not added as moving";
   EXPECT_FALSE(w.set_motion(99'999, displacement, displacement));
   EXPECT_FALSE(w.set_motion(moved, ph::point<D>::Constant(nan), displacement));
 }
 
-TYPED_TEST(world, carries_moving_walls_on_if_asked) {
-  constexpr int D = TestFixture::dimension;
-  const ph::point<D> e = ph::point<D>::UnitX(), o = ph::point<D>::Zero();
-  ph::world_walls<D> walls;
-  const int lid = walls.add_moving(ph::wall(ph::half_space<D>(o, e)));
-  ph::world<D> w(walls);
-  w.set_motion(lid, 0.1 * e, 0.5 * e);
-  EXPECT_NEAR(ph::sense(w, o)[0].depth, 0.1, 1e-15);
-  w.extrapolate(0.02);
-  EXPECT_NEAR(ph::sense(w, o)[0].depth, 0.11, 1e-15);
-  w.extrapolate(0.04);
-  EXPECT_NEAR(ph::sense(w, o)[0].depth, 0.12, 1e-15) << "from where it was set, not from where it got to";
-  EXPECT_EQ(ph::sense(w, o)[0].wall_velocity, 0.5 * e);
+TEST(a_world, adds_the_velocity_of_a_wall_to_that_of_its_shape) {
+  ph::moving belt(ph::half_space<2>({0, 0}, {1, 0}));
+  belt.set_motion({0, 0}, {0, 2});
+  ph::world_walls<2> walls;
+  const int lid = walls.add_moving(ph::wall(belt, 10));
+  ph::world<2> w(walls);
+  w.set_motion(lid, {0, 0}, {1, 0});
   w.extrapolate(HUGE_VAL);
-  EXPECT_NEAR(ph::sense(w, o)[0].depth, 0.12, 1e-15);
+  ASSERT_EQ(ph::sense(w, {-0.1, 0}).size(), 1);
+  EXPECT_EQ(ph::sense(w, {-0.1, 0})[0].wall_velocity, ph::point<2>(1, 2));
+  EXPECT_EQ(ph::sense(w, {-0.1, 0})[0].depth, 0.1);
+}
+
+// Of walls that demand equal forces, those of lower numbers are kept; of one wall's contacts the deepest
+// comes first.
+TEST(strongest_contacts, are_the_first_of_equals_whatever_the_order) {
+  for (const bool backwards : {false, true}) {
+    ph::strongest_contacts<2, 2> found;
+    for (int k = 0; k < 4; ++k)
+      found.add({.depth = 0.1, .stiffness = 10, .wall_number = backwards ? 3 - k : k});
+    EXPECT_EQ(found.in_order()[0].wall_number, 0);
+    EXPECT_EQ(found.in_order()[1].wall_number, 1);
+    EXPECT_EQ(found.left_out(), 2);
+    found.clear();
+    for (const double depth : {0.1, 0.3}) found.add({.depth = depth, .stiffness = 10, .wall_number = 7});
+    EXPECT_EQ(found.in_order()[0].depth, 0.3);
+  }
 }
 
 TEST(any_wall, tells_what_its_wall_tells) {
@@ -493,31 +425,6 @@ TEST(any_wall, tells_what_its_wall_tells) {
   EXPECT_EQ(found[0].depth, 0.25);
   EXPECT_EQ(found[0].stiffness, 300);
   EXPECT_EQ(found[0].normal, ph::point<2>(0, 1));
-}
-
-TEST(a_controller, takes_a_world_for_a_scene) {
-  using M = ph::delta<double>;
-  const M mechanism;
-  ph::device_state<M> state;
-  state.time = 0;
-  state.q.setConstant(0.4);
-  const ph::point<3> x = mechanism.position(state.q);
-  const ph::half_space<3> plane(x + ph::point<3>(0, 0, 1e-3), {0, 0, 1});
-  ph::world_walls<3> walls;
-  walls.add(ph::wall(ph::ball<3>(x + ph::point<3>(1, 0, 0), 0.1)));
-  walls.add(ph::wall(plane));
-  ph::controller many(mechanism, ph::brakes_of<M>(), ph::world<3, 1>(walls), ph::direct_control());
-  ph::controller one(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(plane)), ph::direct_control());
-  ph::testing::random_source random(seed);
-  int braked = 0;
-  for (int k = 0; k < 100; ++k) {
-    state.qd = random.direction<double, 3>();
-    const auto expected = one(state), got = many(state);
-    EXPECT_EQ(got.capacity, expected.capacity);
-    EXPECT_EQ(got.wall_number, 1);
-    braked += got.capacity.norm() > 0;
-  }
-  EXPECT_GT(braked, 30);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "many_shapes.hpp"
 
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
-#include <passive_haptics/scene/shapes/moving.hpp>
 #include <passive_haptics/scene/world/scene_exchange.hpp>
 
 #include <gtest/gtest.h>
@@ -31,11 +30,11 @@ TYPED_TEST_SUITE(the_memory_of_a_world, dimensions);
 // too long.
 TYPED_TEST(the_memory_of_a_world, knows_of_a_wall_that_is_entered_by_a_hair) {
   constexpr int D = TestFixture::dimension;
-  for (const int count : {4, 300}) {
+  for (const int count : {4, 60}) {
     ph::testing::random_source random(seed);
     const many_shapes::shapes<D> all(count, random);
     ph::world<D> w(all.walls());
-    for (int k = 0; k < 2000; ++k) {
+    for (int k = 0; k < 500; ++k) {
       ph::point<D> x = random.between<double, D>(ph::point<D>::Zero(), ph::point<D>::Ones());
       double nearest = std::numeric_limits<double>::infinity();
       ph::point<D> out = ph::point<D>::Zero();
@@ -72,7 +71,7 @@ TYPED_TEST(the_memory_of_a_world, knows_of_a_wall_that_comes_by_a_hair) {
     at[i] = x;
     EXPECT_TRUE(w.set_motion(i, x, ph::point<D>::Zero()));
   };
-  for (int k = 0; k < 4000; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     ph::point<D> x = random.direction<double, D>();
     for (int i = 0; i < count; ++i) put(i, x + random.positive(0.02, 5.0) * random.direction<double, D>());
     if (k % 50 == 0) w.reset();
@@ -147,7 +146,7 @@ void expect_sides_are_kept(const Cycle& cycle, const Reset& reset) {
   ph::point<D> displacement[moving];
   for (auto& d : displacement) d.setZero();
   int held = 0, free_behind = 0;
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < 1500; ++k) {
     if (k % 40 == 39) {
       reset();
       expected.forget();
@@ -172,8 +171,8 @@ void expect_sides_are_kept(const Cycle& cycle, const Reset& reset) {
       free_behind += x[D - 1] < sheets[static_cast<std::size_t>(i)] && expected.depth_at(i) == 0;
     }
   }
-  EXPECT_GT(held, 1000);
-  EXPECT_GT(free_behind, 50);
+  EXPECT_GT(held, 500);
+  EXPECT_GT(free_behind, 25);
 }
 
 // Two that move, one that is followed but stays.
@@ -228,39 +227,6 @@ TYPED_TEST(the_memory_of_a_world, holds_at_a_plate_where_scenes_are_exchanged) {
     ASSERT_EQ(touched.size(), x[D - 1] < 0.001 ? 1 : 0) << k;
     for (const auto& c : touched) EXPECT_NEAR(c.depth, 0.001 - x[D - 1], 1e-12) << k;
   }
-}
-
-// Of walls that ask for the same, those of lower numbers are kept; of one wall's contacts the deepest comes
-// first.
-TYPED_TEST(the_memory_of_a_world, keeps_the_first_of_equals_whatever_the_order) {
-  constexpr int D = TestFixture::dimension;
-  for (const bool backwards : {false, true}) {
-    ph::strongest_contacts<D, 2> found;
-    for (int k = 0; k < 4; ++k) {
-      const int number = backwards ? 3 - k : k;
-      found.add({.depth = 0.1, .stiffness = 10, .wall_number = number});
-    }
-    const auto& kept = found.in_order();
-    EXPECT_EQ(kept[0].wall_number, 0);
-    EXPECT_EQ(kept[1].wall_number, 1);
-    EXPECT_EQ(found.left_out(), 2);
-    found.clear();
-    for (const double depth : {0.1, 0.3}) found.add({.depth = depth, .stiffness = 10, .wall_number = 7});
-    EXPECT_EQ(found.in_order()[0].depth, 0.3);
-  }
-}
-
-TYPED_TEST(the_memory_of_a_world, adds_the_velocity_of_a_wall_to_that_of_its_shape) {
-  constexpr int D = TestFixture::dimension;
-  ph::moving belt(ph::half_space<D>(ph::point<D>::Zero(), ph::point<D>::UnitX()));
-  belt.set_motion(ph::point<D>::Zero(), 2 * ph::point<D>::Unit(1));
-  ph::world_walls<D> walls;
-  walls.add_moving(ph::wall(belt, 10));
-  ph::world<D> w(walls);
-  ASSERT_TRUE(w.set_motion(0, ph::point<D>::Zero(), ph::point<D>::Unit(0)));
-  const auto& touched = ph::sense(w, ph::point<D>(-0.1 * ph::point<D>::UnitX()));
-  ASSERT_EQ(touched.size(), 1);
-  EXPECT_EQ(touched[0].wall_velocity, ph::point<D>(ph::point<D>::Unit(0) + 2 * ph::point<D>::Unit(1)));
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+// docs/results.md, with which the programs compare what they print.
+#pragma once
+
+#include "markdown.hpp"
+
+#include <page_tables.hpp>
+
+#include <filesystem>
+
+namespace experiments {
+
+inline const std::filesystem::path results_page = PASSIVE_HAPTICS_SOURCE_DIR "/docs/results.md";
+
+// Whether docs/results.md has these tables. PASSIVE_HAPTICS_WRITE_PAGES=1 writes them there.
+bool is_printed(const page_tables& tables);
+
+}  // namespace experiments

@@ -1,0 +1,44 @@
+// The sections of docs/results.md that take minutes, and so no other run has: corners, shapes and scenes, and
+// the whole table of arms.
+#include "arms.hpp"
+#include "batch.hpp"
+#include "corners.hpp"
+#include "numbered_options.hpp"
+#include "results_page.hpp"
+#include "scenes.hpp"
+
+#include <command_line.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+using namespace experiments;
+
+int main(int argc, char** argv) try {
+  std::filesystem::path directory = ".";
+  std::string section;
+  bool all_arms = false;
+  example::command_line line("experiments",
+                             "Sections of the experiments.");  // 07_experiments has the help text
+  line.choice("section", section, {"corners", "scenes"}, "only this one");
+  line.flag("--arms", all_arms, "no more than the whole table of arms");
+  numbered_options numbered;
+  numbered.add_to(line);
+  line.output(directory);
+  line.parse(argc, argv);
+  page_tables tables;
+  if (section.empty()) {
+    progress_bar::plan(arm_runs);
+    const bool no_power = follow_with_arms(tables);
+    return is_printed(tables) && no_power ? 0 : 1;
+  }
+  const bool others = numbered.are_given();
+  int unexplained = 0;
+  tables = section == "corners" ? follow_corners(others ? numbered.range() : default_corners)
+                                : follow_scenes(others ? numbered.range() : default_scene_hands, unexplained);
+  return (others || is_printed(tables)) && unexplained == 0 ? 0 : 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "error: %s\n", error.what());
+  return 1;
+}
