@@ -80,13 +80,14 @@ TEST(is_cornered, if_two_walls_or_more_leave_no_way) {
   using V = ph::vector<double, 3>;
   const M delta;
   const V n(0, 0.6, 0.8), other(0, -0.6, 0.8), third(1, 0, 0), still = V::Zero();
-  const ph::mechanism_pose<M> pose(delta, V(0.3, 0.4, 0.5));
+  const V q(0.3, 0.4, 0.5);
+  const ph::mechanism_pose<M> pose(delta, q);
   const auto cornered = [&](const V& v, const V& Fh, std::initializer_list<V> normals, bool closed = true) {
     std::array<plain_wall, 3> walls;
     int count = 0;
     for (const V& normal : normals) walls[std::size_t(count++)].along.normal = normal;
     walls[1].closed = closed;
-    const V qd = delta.jacobian(pose.q()).inverse() * v;
+    const V qd = delta.jacobian(q).inverse() * v;
     const ph::pose_dynamics<M> device(pose, qd, 0.4);
     return ph::is_cornered(device, ph::weighted_motion<M>(device, qd, Fh), walls, count, 0.01);
   };

@@ -78,7 +78,7 @@ template <class T>
 void expect_same_of_two(T x, T y) {
   const auto pairs = ph::sine_cosine(x, y);
   const T angles[] = {x, y};
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {0u, 1u}) {
     const auto [s, c] = ph::sine_cosine(angles[k]);
     EXPECT_EQ(pairs[k].sine, s) << x << ", " << y;
     EXPECT_EQ(pairs[k].cosine, c) << x << ", " << y;

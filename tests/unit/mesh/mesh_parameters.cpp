@@ -34,7 +34,7 @@ TEST(mesh_parameters, say_what_is_wrong) {
   EXPECT_EQ(validate(cube()), "");
   EXPECT_EQ(validate(square()), "");
   EXPECT_EQ(validate(ph::mesh_parameters<3>{}), "facets of a mesh are none, expected one or more");
-  for (const std::size_t i : {3, 0})
+  for (const std::size_t i : {3u, 0u})
     EXPECT_EQ(error_after([i](auto& p) { p.vertices[i][1] = no_number; }, cube()),
               "vertex " + std::to_string(i) + " of a mesh is not finite, expected metres");
   for (const int i : {8, -1})
