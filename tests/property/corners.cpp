@@ -56,8 +56,8 @@ ph::contacts<D, D> random_corner(const ph::point<D>& x, int walls, ph::testing::
 
 template <class Case>
 struct corners : ::testing::Test {};
-using devices = ::testing::Types<device_case<ph::tendon_two_link<double>>, closed_chains::level_five_bar<4>,
-                                 closed_chains::desktop_delta<double>, chains::irregular_chain<double, 3, 2>>;
+using devices = tested_types<device_case<ph::tendon_two_link<double>>, closed_chains::level_five_bar<4>,
+                             closed_chains::desktop_delta<double>, chains::irregular_chain<double, 3, 2>>;
 TYPED_TEST_SUITE(corners, devices);
 
 // At rest, or sinking within the dead bands.
