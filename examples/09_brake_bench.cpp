@@ -23,13 +23,20 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <functional>
+#include <memory>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace ph = passive_haptics;
 
 namespace {
 
 using device = ph::tendon_two_link<double>;  // which gets two such brakes
+
+constexpr example::simulated_bench_parameters how;
 
 constexpr double current = 0.5, steady_rate = 2, pause = 0.5, ramp_time = 10;  // [A, rad/s, s, s]
 constexpr double min_rate = 0.02, max_rate = 20, sweep_time = 40;              // [rad/s, rad/s, s]
@@ -65,12 +72,17 @@ std::string table(const std::vector<ph::bench_sample>& samples) {
   return csv.str();
 }
 
+using function_of_time = double (*)(double);
+// Samples of a test, by its current [A] and rate [rad/s]; they also go to the file of its name.
+using bench_test = std::function<std::vector<ph::bench_sample>(const char* name, function_of_time current_at,
+                                                               function_of_time rate, double duration)>;
+
 // torque_at: what the driver believes that a current makes [N m]
-template <class Model, class Torque>
-void identify(const Model& brake, const Torque& torque_at, const std::filesystem::path& directory) {
+template <class Model>
+bench_test test_of(const Model& brake, const std::function<double(double)>& torque_at,
+                   const std::filesystem::path& directory) {
   std::printf("In the simulation:\n%s", ph::to_text(brake).c_str());
-  example::simulated_bench_parameters how;
-  const auto record = [&](const char* name, const auto& current_at, const auto& rate, double duration) {
+  return [=](const char* name, function_of_time current_at, function_of_time rate, double duration) {
     const auto bench = std::make_shared<example::simulated_bench<Model>>(brake, torque_at, rate, how);
     example::simulated_bench_port<Model> port{bench};
     example::simulated_torque_sensor<Model> sensor{bench};
@@ -82,7 +94,9 @@ void identify(const Model& brake, const Torque& torque_at, const std::filesystem
     example::write_file(directory / (std::string(name) + ".csv"), table(samples));
     return samples;
   };
+}
 
+void identify(const bench_test& record, const std::filesystem::path& directory) {
   // 1. Steps
   const auto step_up_samples = record("step_up", step_up, steady, 3 * pause);
   const auto step_down_samples = record("step_down", step_down, steady, 3 * pause);
@@ -164,20 +178,21 @@ int main(int argc, char** argv) try {
   if (which == "coulomb") {
     ph::delayed_brake<ph::coulomb_brake<double>> brake;
     brake.model = {.fall_ratio = 2.5, .residual = residual};
-    identify(brake, believed, directory);
+    identify(test_of(brake, believed, directory), directory);
   } else if (which == "magnetorheological") {
     ph::magnetorheological_brake<double> brake;
     brake.residual = residual;
-    identify(brake, [&](double I) { return brake.torque_of(I / current); }, directory);
+    const auto inverse = [brake](double I) { return brake.torque_of(I / current); };
+    identify(test_of(brake, inverse, directory), directory);
   } else if (which == "stribeck") {
     ph::stribeck_brake<double> brake;
     brake.coulomb.residual = residual;
-    identify(brake, believed, directory);
+    identify(test_of(brake, believed, directory), directory);
   } else {
     ph::eddy_current_brake<double> brake;
     brake.critical_rate = 10;
     brake.residual.strength = residual.strength;
-    identify(brake, believed, directory);
+    identify(test_of(brake, believed, directory), directory);
   }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

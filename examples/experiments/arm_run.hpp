@@ -3,6 +3,7 @@
 
 #include "arms.hpp"
 #include "batch.hpp"
+#include "control_of.hpp"
 #include "planar.hpp"
 #include "rods.hpp"
 
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -105,10 +107,16 @@ auto wall_before(const ph::point<D>& x, const ph::point<D>& n, arm_wall which) {
   }
 }
 
+// A controller of such brakes before this wall.
+template <class M>
+using arm_wall_of = decltype(wall_before<M::task_dimension>({}, {}, arm_wall::plane));
+template <class M>
+using arm_control = std::function<any_control<M>(const ph::brakes_of<M>&, const arm_wall_of<M>&)>;
+
 // One hand.
-template <class M, class Law>
-arm_result follow_arm(const arm_kind<M>& kind, const Law& law, const arm_start<M>& start, double lag,
-                      arm_encoders encoders) {
+template <class M>
+arm_result follow_arm(const arm_kind<M>& kind, const arm_control<M>& control_of, const arm_start<M>& start,
+                      double lag, arm_encoders encoders) {
   constexpr int n = M::dof, d = M::task_dimension;
   constexpr double count = 2 * std::numbers::pi / 4096, period = 1e-3;  // [rad], [s]
   constexpr int window = 16;
@@ -131,7 +139,7 @@ arm_result follow_arm(const arm_kind<M>& kind, const Law& law, const arm_start<M
   const auto wall = wall_before<d>(x0, start.normal, kind.wall);
 
   if (counts) brakes.rate_dead_band.setConstant(ph::rate_dead_band(count, window, period));
-  ph::controller control(kind.arm, brakes, ph::scene(ph::wall(wall)), law);
+  const any_control<M> control = control_of(brakes, wall);
   ph::rate_estimator<n> rates({.window = window});
   const auto read_and_control = [&](ph::device_state<M> state) {
     if (counts) {
@@ -187,10 +195,13 @@ arm_row follow_row(const arm_kind<M>& kind, const std::string& law_name, const L
   if (built_extent == arm_extent::all) settings = {0, 1, 2, 3, 4, 5};
   std::vector<arm_start<M>> starts;
   for (std::size_t k = 0; k < arm_walls; ++k) starts.push_back(draw_start(kind.arm, k));
+  const arm_control<M> control_of = [&](const auto& brakes, const auto& wall) {
+    return ph::controller(kind.arm, brakes, ph::scene(ph::wall(wall)), law);
+  };
   const auto results = on_all_cores(kind.name, settings.size() * arm_walls, [&](std::size_t k) {
     const std::size_t setting = settings[k / arm_walls];
     const auto encoders = setting < arm_lags.size() ? arm_encoders::exact : arm_encoders::counts;
-    return follow_arm(kind, law, starts[k % arm_walls], arm_lags[setting % arm_lags.size()], encoders);
+    return follow_arm(kind, control_of, starts[k % arm_walls], arm_lags[setting % arm_lags.size()], encoders);
   });
   arm_row row{kind.name, law_name, {}};
   for (std::size_t i = 0; i < settings.size(); ++i)

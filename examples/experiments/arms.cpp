@@ -108,7 +108,7 @@ bool follow_with_arms(page_tables& page) {
   follow_with_3r(rows);
   follow_with_4r(rows);
   follow_with_some_brakes(rows);
-  follow_with_4r_in_space(rows);
+  if constexpr (built_extent == arm_extent::all) follow_with_4r_in_space(rows);
   page["arms"] = built_extent == arm_extent::all
                      ? arm_head() + arm_lines(rows)
                      : with_rows(example::page_of_tables(results_page).table("arms"), rows);

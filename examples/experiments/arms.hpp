@@ -31,8 +31,8 @@ struct arm_row {
   std::array<std::optional<arm_cell>, arm_settings> cells;  // empty where they were not measured
 };
 
-// All rows, or a sample: the recommended law of each arm, at one setting. Each further law takes the compiler
-// a minute, so only the program of the sections has all.
+// All rows, or a sample: the recommended law of an arm with all brakes and of one with some, at one setting.
+// All take the compiler minutes, so only the program of the sections has them.
 enum class arm_extent { sample, all };
 #ifdef EXPERIMENTS_ALL_ARMS
 inline constexpr arm_extent built_extent = arm_extent::all;
@@ -41,7 +41,7 @@ inline constexpr arm_extent built_extent = arm_extent::sample;
 #endif
 inline constexpr std::size_t felt_runs = 3;
 inline constexpr std::size_t arm_runs =
-    felt_runs + (built_extent == arm_extent::all ? 32 * arm_settings : 8) * arm_walls;
+    felt_runs + (built_extent == arm_extent::all ? 32 * arm_settings : 4) * arm_walls;
 
 // The tables felt_forces and arms of docs/results.md: what a hand feels of the forces of arms, and whether it
 // glides. True where no brake gave power.

@@ -3,9 +3,15 @@
 
 #include <passive_haptics/passive_haptics.hpp>
 
+#include <functional>
+
 namespace experiments {
 
 namespace ph = passive_haptics;
+
+// A controller of any law, or none: a run is compiled once for all of them.
+template <class M>
+using any_control = std::function<ph::step_result<M>(const ph::device_state<M>&)>;
 
 // Laws on a device with and without a force sensor.
 template <class Law>

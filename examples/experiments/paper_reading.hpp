@@ -24,9 +24,9 @@ struct reading_cell {
 // the hand's force vary less, brake 2 sticks less, less force retards the hand.
 bool reproduces(const ph::contact_metrics& without, const ph::contact_metrics& with);
 
-// The planar wall, the concave and the convex one (or the first alone), each at 1 kHz and at 20 Hz, under
-// each of these laws.
-std::vector<reading_cell> read_the_paper(std::uint64_t seed, double time_step, bool planar_only = false);
+// The planar wall, the concave and the convex one, each at 1 kHz and at 20 Hz, under each of these laws; of
+// bands_only the planar one, under the laws that need nothing of the device.
+std::vector<reading_cell> read_the_paper(std::uint64_t seed, double time_step, bool bands_only = false);
 
 // Medians over the hands, as a table of Markdown.
 std::string reading_table(const std::vector<reading_cell>& cells);

@@ -95,7 +95,8 @@ struct run_result {
   std::vector<instant> trace;
 };
 
-run_result follow_with_arm(law which, const test_wall& wall, const setup& how);    // the tendon device
-run_result follow_with_table(law which, const test_wall& wall, const setup& how);  // the XY table of Fig. 4
+run_result follow_with_arm(law which, const test_wall& wall, const setup& how);  // the tendon device
+// The XY table of Fig. 4, under law::none or law::velocity.
+run_result follow_with_table(law which, const test_wall& wall, const setup& how);
 
 }  // namespace experiments

@@ -1,6 +1,7 @@
 // How a run is made, for any mechanism in the plane.
 #pragma once
 
+#include "control_of.hpp"
 #include "planar.hpp"
 #include "rivals/bang_bang_control.hpp"
 #include "rivals/coercive_force_approximation.hpp"
@@ -53,8 +54,16 @@ inline plane_vector start_beside(const test_wall& wall, double gap) {
   return x;
 }
 
+template <class M, class Brakes, class Model, class Law>
+any_control<M> control_of(const device<M, Brakes, Model>& d, const Law& control_law, const test_wall& wall,
+                          const setup& how) {
+  return ph::controller(d.believed, d.brakes,
+                        ph::held_scene(ph::scene(ph::wall(wall)), 1 / how.environment_rate), control_law);
+}
+
 template <class M, class Brakes, class Model>
-run_result follow(const device<M, Brakes, Model>& d, law which, const test_wall& wall, const setup& how) {
+run_result follow(const device<M, Brakes, Model>& d, const any_control<M>& control, const test_wall& wall,
+                  const setup& how) {
   const plane_vector x0 = d.real.position(d.start), n = wall.gradient(x0), along(-n[1], n[0]);
   const ph::following_hand<double, 2> hand({1, 0}, x0, how.hand);
   ph::simulated_device plant(d.real, d.real_brakes, how.hand.mass, d.start);
@@ -69,20 +78,24 @@ run_result follow(const device<M, Brakes, Model>& d, law which, const test_wall&
   p.path_end = end_x;
 
   run_result result;
-  result.figures = with_law(which, how, [&](auto control_law) {
-    ph::controller control(d.believed, d.brakes,
-                           ph::held_scene(ph::scene(ph::wall(wall)), 1 / how.environment_rate), control_law);
-    double kept = -trace_period;
-    return ph::follow_wall(plant, control, wall, hand, p, [&](const ph::wall_following_sample<M>& s) {
-      if (s.control->wall_number >= 0) result.min_alpha = std::min(result.min_alpha, s.control->alpha);
-      if (s.time - kept < trace_period * (1 - 1e-9)) return;
-      kept = s.time;
-      result.trace.push_back({s.time, s.depth, s.control->alpha, s.position, s.rates, s.control->capacity,
-                              s.brake_torque, s.hand_force, s.brake_force});
-    });
+  double kept = -trace_period;
+  result.figures = ph::follow_wall(plant, control, wall, hand, p, [&](const ph::wall_following_sample<M>& s) {
+    if (s.control->wall_number >= 0) result.min_alpha = std::min(result.min_alpha, s.control->alpha);
+    if (s.time - kept < trace_period * (1 - 1e-9)) return;
+    kept = s.time;
+    result.trace.push_back({s.time, s.depth, s.control->alpha, s.position, s.rates, s.control->capacity,
+                            s.brake_torque, s.hand_force, s.brake_force});
   });
   result.energy = plant.energy();
   return result;
+}
+
+// Under any of the laws.
+template <class M, class Brakes, class Model>
+run_result follow(const device<M, Brakes, Model>& d, law which, const test_wall& wall, const setup& how) {
+  const any_control<M> control =
+      with_law(which, how, [&](const auto& control_law) { return control_of(d, control_law, wall, how); });
+  return follow(d, control, wall, how);
 }
 
 }  // namespace experiments

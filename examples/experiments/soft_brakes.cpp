@@ -43,8 +43,8 @@ tendon tendon_of(double inertia) {
   return tendon(p);
 }
 
-template <class Control>
-ph::contact_metrics follow_plane(const device_here& d, double presliding, Control&& control) {
+ph::contact_metrics follow_plane(const device_here& d, double presliding,
+                                 const any_control<tendon>& control) {
   ph::brake_models_of<tendon, brake> brakes;
   for (std::size_t i = 0; i < brakes.size(); ++i) {
     brakes[i].model = d.brakes[i];

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <variant>
 
 namespace experiments {
 namespace {
@@ -95,13 +96,21 @@ class hand {
   double push_;
 };
 
-template <class M, class Scene, class Law>
-space_result follow(const place<M>& at, const std::vector<touch>& walls, const Scene& scene, Law control_law,
-                    const setup& how) {
+// The capacities [N m] that a controller of any law commands, so that the run is compiled once for all of
+// them.
+template <class M>
+using any_control = std::function<space_vector(const ph::device_state<M>&)>;
+
+template <class M>
+ph::brakes_of<M> brakes_of(const setup& how) {
   ph::brakes_of<M> brakes;
   brakes.time_constant.setConstant(how.lag);
-  ph::controller control(at.mechanism, brakes, ph::held_scene(scene, 1 / how.environment_rate), control_law);
+  return brakes;
+}
 
+template <class M>
+space_result follow(const place<M>& at, const std::vector<touch>& walls, const any_control<M>& control,
+                    const setup& how) {
   space_vector start = at.middle - at.length / 2 * space_vector::UnitX(), normal = space_vector::Zero();
   for (int k = 0; k < 50; ++k) {
     for (const touch& wall : walls) start += (gap - wall.distance(start)) * wall.normal(start);
@@ -110,7 +119,7 @@ space_result follow(const place<M>& at, const std::vector<touch>& walls, const S
   normal.normalize();
   const space_vector along = (space_vector::UnitX() - normal * normal.x()).normalized();
 
-  ph::simulated_device plant(at.mechanism, brakes, how.hand.mass, at.inverse(start));
+  ph::simulated_device plant(at.mechanism, brakes_of<M>(how), how.hand.mass, at.inverse(start));
   const ph::matrix<double, 3, 3> J(ph::jacobian(at.mechanism, plant.q()));
   plant.set_motion(plant.q(), J.partialPivLu().solve(speed * along - approach * normal));
   const hand person(start, how.hand.push);
@@ -125,7 +134,7 @@ space_result follow(const place<M>& at, const std::vector<touch>& walls, const S
     const double time = static_cast<double>(k) * how.time_step;
     if (k % cycle == 0) {
       encoders.read(plant.q(), plant.qd());
-      capacity = control(ph::device_state<M>{time, encoders.q(), encoders.qd(), sensor.read()}).capacity;
+      capacity = control({time, encoders.q(), encoders.qd(), sensor.read()});
     }
     const double friction_before = plant.energy().friction();
     plant.advance(how.time_step, capacity, person.force(time, plant.position(), plant.velocity(), walls));
@@ -150,14 +159,40 @@ space_result follow(const place<M>& at, const std::vector<touch>& walls, const S
   return result;
 }
 
-template <class M, class... Shapes>
-space_result follow_shapes(const place<M>& at, law which, const setup& how, const Shapes&... shapes) {
-  const std::vector<touch> walls{touch_of(shapes)...};
+// A plane or a ball.
+class any_wall {
+ public:
+  static constexpr int dimension = 3;
+  template <class Shape>
+  explicit any_wall(Shape shape) : shape_(std::move(shape)) {}
+
+  double distance(const ph::point<3>& x) const {
+    return std::visit([&](const auto& s) { return s.distance(x); }, shape_);
+  }
+  ph::point<3> gradient(const ph::point<3>& x) const {
+    return std::visit([&](const auto& s) { return s.gradient(x); }, shape_);
+  }
+  ph::matrix<double, 3, 3> hessian(const ph::point<3>& x) const {
+    return std::visit([&](const auto& s) { return ph::surface_curvature(s, x); }, shape_);
+  }
+
+ private:
+  std::variant<ph::half_space<3>, ph::ball<3>> shape_;
+};
+
+template <class M, class... Walls>
+space_result follow_walls(const place<M>& at, law which, const setup& how, const Walls&... shapes) {
+  const auto under = [&](const auto& control_law) {
+    const ph::held_scene scene(ph::scene(ph::wall(shapes)...), 1 / how.environment_rate);
+    const any_control<M> control =
+        [control = ph::controller(at.mechanism, brakes_of<M>(how), scene, control_law)](
+            const ph::device_state<M>& state) mutable { return control(state).capacity; };
+    return follow(at, {touch_of(shapes)...}, control, how);
+  };
   switch (which) {
-    case law::none: return follow(at, walls, ph::scene(ph::wall(shapes)...), ph::no_direct_control(), how);
-    case law::direct: return follow(at, walls, ph::scene(ph::wall(shapes)...), ph::direct_control(), how);
-    case law::velocity:
-      return follow(at, walls, ph::scene(ph::wall(shapes)...), ph::velocity_direct_control(), how);
+    case law::none: return under(ph::no_direct_control());
+    case law::direct: return under(ph::direct_control());
+    case law::velocity: return under(ph::velocity_direct_control());
     default: throw std::logic_error("not one of space_laws");
   }
 }
@@ -165,18 +200,17 @@ space_result follow_shapes(const place<M>& at, law which, const setup& how, cons
 template <class M>
 space_result follow_at(const place<M>& at, space_wall wall, law which, const setup& how) {
   const space_vector& c = at.middle;
+  const auto one = [&](const auto& shape) { return follow_walls(at, which, how, any_wall(shape)); };
   const auto edge = [&](double angle) {
     const double h = ph::radians(angle / 2);
-    return follow_shapes(at, which, how, ph::half_space<3>(c, {0, std::cos(h), std::sin(h)}),
-                         ph::half_space<3>(c, {0, -std::cos(h), std::sin(h)}));
+    return follow_walls(at, which, how, ph::half_space<3>(c, {0, std::cos(h), std::sin(h)}),
+                        ph::half_space<3>(c, {0, -std::cos(h), std::sin(h)}));
   };
   switch (wall) {
-    case space_wall::plane: return follow_shapes(at, which, how, ph::half_space<3>(c, {0, 0, 1}));
-    case space_wall::solid_sphere:
-      return follow_shapes(at, which, how, ph::ball<3>(c - space_vector(0, 0, 0.1), 0.1));
+    case space_wall::plane: return one(ph::half_space<3>(c, {0, 0, 1}));
+    case space_wall::solid_sphere: return one(ph::ball<3>(c - space_vector(0, 0, 0.1), 0.1));
     case space_wall::hollow_sphere:
-      return follow_shapes(at, which, how,
-                           ph::ball<3>(c + space_vector(0, 0, 0.2), 0.2, ph::filling::hollow));
+      return one(ph::ball<3>(c + space_vector(0, 0, 0.2), 0.2, ph::filling::hollow));
     case space_wall::edge_90: return edge(90);
     case space_wall::edge_120: return edge(120);
   }

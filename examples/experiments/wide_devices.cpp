@@ -34,8 +34,9 @@ struct kind {
   ph::workspace<M> where;
 };
 
-template <class M, class Control>
-ph::contact_metrics follow_plane(const M& real, const ph::random_device<M>& d, Control&& control) {
+template <class M>
+ph::contact_metrics follow_plane(const M& real, const ph::random_device<M>& d,
+                                 const any_control<M>& control) {
   constexpr int D = M::task_dimension;
   ph::simulated_device<M> plant(real, d.brakes, d.hand.mass, d.plane.q);
   plant.set_motion(d.plane.q, d.plane.qd);
@@ -95,7 +96,7 @@ ph::contact_metrics follow_under_law(const kind<M>& k, const ph::random_device<M
   ph::controller control(k.make(inertia), brakes,
                          ph::held_scene(ph::scene(ph::wall(wall, d.wall_stiffness)), 1 / d.environment_rate),
                          ph::velocity_direct_control(constants));
-  return follow_plane(k.make(d.inertia), d, late(control, late_cycles));
+  return follow_plane<M>(k.make(d.inertia), d, late(control, late_cycles));
 }
 
 template <class M>
@@ -105,7 +106,7 @@ outcome follow_one(const kind<M>& k, std::uint64_t seed, std::size_t number, bel
   const M real = k.make(d.inertia);
   outcome o{follow_under_law(k, d, seed, number, what)};
   if (o.figures.separates() || o.figures.floats() || o.figures.never_touches()) {
-    const auto released = follow_plane(real, d, [](const auto&) { return ph::step_result<M>(); });
+    const auto released = follow_plane<M>(real, d, [](const auto&) { return ph::step_result<M>(); });
     o.held = released.never_touches() || released.separates() || released.depth_mean < 0;
   }
   if (o.figures.is_deep()) {

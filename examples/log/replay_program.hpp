@@ -89,6 +89,17 @@ struct direct_control_or_not {
   }
 };
 
+/// A controller of any law, for one replay less of the compiler.
+template <ph::Mechanism M>
+struct any_controller {
+  using result_type = ph::step_result<M>;
+  M driven;
+  std::function<result_type(const ph::device_state<M>&)> control;
+
+  const M& mechanism() const { return driven; }
+  result_type operator()(const ph::device_state<M>& state) { return control(state); }
+};
+
 /// No parameters.
 struct no_parameters {
   static constexpr auto members() { return ph::member_table(); }
@@ -122,7 +133,7 @@ replay_job replay_of() {
     const auto scene = ph::scene(wall_of<M::task_dimension>(options));
     std::cerr << ph::plausibility(mechanism, brakes, scene);
     const auto under = [&](const auto& law) {
-      ph::controller control(mechanism, brakes, scene, law);
+      any_controller<M> control{mechanism, ph::controller(mechanism, brakes, scene, law)};
       return replay(log, out, control, options.law != "no_direct_control", progress);
     };
     if constexpr (ph::Dynamics<M>) {

@@ -1,10 +1,14 @@
-// Samples of a bench that a test computes, and what a fit says of them.
+// Samples of a bench that a test computes or simulates, and what a fit says of them.
 #pragma once
 
+#include <simulated_bench.hpp>
+
+#include <passive_haptics/bench/bench_run.hpp>
 #include <passive_haptics/bench/current_ramp.hpp>
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +17,7 @@ namespace bench_samples {
 
 namespace ph = passive_haptics;
 using samples = std::vector<ph::bench_sample>;
+using function = std::function<double(double)>;
 
 constexpr auto exact = ph::sensor_noise::none;
 
@@ -49,6 +54,58 @@ inline ph::current_ramp measured_ramp() {
     ramp.rising[i] = ramp.falling[i] = {0.1 + 0.1 * static_cast<double>(i), 0.01};
   ramp.hysteresis = {0.25, 0.01};
   return ramp;
+}
+
+// A simulated bench of any brake: to the compiler one type of port.
+struct any_bench {
+  std::function<double()> wait, counts, reading, time;
+  std::function<void(double)> set;
+};
+struct any_bench_port {
+  static constexpr int encoder_count = 1, brake_count = 1;
+  const any_bench* bench;
+  std::uint32_t sequence = 0;
+
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<1>& sample) noexcept {
+    sample = {bench->time(), ++sequence, {bench->counts()}, {true}};
+    return ph::port_status::ok;
+  }
+  ph::port_status write(const ph::brake_currents<1>& currents) noexcept {
+    bench->set(currents[0]);
+    return ph::port_status::ok;
+  }
+  void release() noexcept { bench->set(0); }
+};
+struct any_torque_sensor {
+  static constexpr int channel_count = 1;
+  const any_bench* bench;
+  std::uint32_t sequence = 0;
+
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<1>& sample) noexcept {
+    sample = {bench->time(), ++sequence, {bench->reading()}, {true}};
+    return ph::port_status::ok;
+  }
+};
+inline samples record(const any_bench& bench, double duration, const function& current,
+                      const ph::bench_parameters& p) {
+  any_bench_port port{&bench};
+  any_torque_sensor sensor{&bench};
+  return ph::record_on_bench(port, sensor, p, duration, current, bench.wait);
+}
+
+// What a bench records of a brake whose axis turns at rate(t), with current(t), whose command is command(I).
+template <class Model>
+samples record(const Model& brake, const function& command, const function& rate, const function& current,
+               double duration, const example::simulated_bench_parameters& how = {}) {
+  example::simulated_bench<Model> bench(brake, command, rate, how);
+  ph::bench_parameters p;
+  p.radians_per_count = how.resolution;
+  return record(
+      {[&] { return bench.wait(); }, [&] { return bench.counts(); }, [&] { return bench.reading(); },
+       [&] { return bench.time(); }, [&](double I) { bench.set(I); }},
+      duration, current, p);
 }
 
 }  // namespace bench_samples

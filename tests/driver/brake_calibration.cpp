@@ -7,7 +7,7 @@ namespace ph = passive_haptics;
 using ph::testing::random_source;
 using one = ph::vector<double, 1>;
 
-namespace {
+namespace brake_calibration_tests {
 
 ph::brake_curve random_curve(random_source& random) {
   ph::brake_curve p;
@@ -149,24 +149,6 @@ TEST(brake_calibration, knows_what_a_brake_at_its_limit_makes) {
   EXPECT_DOUBLE_EQ(calibration.torque()[0], 1.7) << "hot: 0.8 of it and the remanence";
 }
 
-TEST(brake_calibration, gives_more_current_for_more_capacity_whatever_was_before) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    random_source random(seed);
-    ph::brake_curve p = random_curve(random);
-    p.hysteresis = random.uniform(0.0, 0.2);
-    ph::brake_calibration<1> calibration({p});
-    const double most = 1.2 * torque_of_current(p, p.current_limit);
-    for (int k = 0; k < 20; ++k) calibration.currents(one(random.uniform(0.0, most)));
-    double before = 0;
-    for (int k = 0; k <= 100; ++k) {
-      ph::brake_calibration<1> copy = calibration;
-      const double current = copy.currents(one(0.01 * k * most))[0];
-      ASSERT_GE(current, before) << seed;
-      before = current;
-    }
-  }
-}
-
 TEST(brake_calibration, is_back_at_rest_after_a_restart) {
   ph::brake_calibration<2> calibration({ph::brake_curve{.hysteresis = 0.2}, ph::brake_curve{}});
   calibration.currents({0.8, 0.8});
@@ -187,71 +169,61 @@ TEST(brake_calibration, takes_what_is_no_torque_for_none) {
   }
 }
 
-TEST(brake_curve, refuses_a_table_that_it_would_not_read) {
-  const ph::brake_curve measured{
-      .residual_torque = 0.02, .table = {{{0, 0.02}, {0.1, 0.12}, {0.3, 0.48}, {0.5, 0.80}}}, .points = 4};
-  const auto error = [&](auto change) {
-    ph::brake_curve p = measured;
-    p.current_limit = 0.5;
-    change(p);
-    return validate(p);
-  };
-  using curve = ph::brake_curve;
-  EXPECT_EQ(error([](curve&) {}), "");
-  EXPECT_EQ(
-      error([](curve& p) { p.points = 0; }),
-      "points = 0, expected 4, as the last entry of the table that is not 0 is table[3]; set points, or "
-      "make the entries 0 that are not meant");
-  EXPECT_TRUE(error([](curve& p) { p.points = 3; }).starts_with("points = 3, expected 4, as"));
-  EXPECT_TRUE(error([](curve& p) { p.table[15].torque = NAN; }).starts_with("points = 4, expected 16, as"));
-  EXPECT_TRUE(error([](curve& p) { p.table[4].current = 1; }).starts_with("points = 4, expected 5, as"));
-  EXPECT_TRUE(
-      error([](curve& p) { p = {}, p.table[0].torque = 1; }).starts_with("points = 0, expected 1, as"));
-  EXPECT_EQ(
-      error([](curve& p) { p.torque_per_ampere = 1.6; }),
-      "torque_per_ampere [N m/A] = 1.6, expected its default, 1, as the table is read in its place; leave "
-      "one of both out");
-}
-
+// Of the second of two brakes, each with a table.
 TEST(brake_calibration, names_what_is_wrong) {
-  const auto error = [](auto change) {
-    ph::brake_curves<2> curves{};
-    ph::brake_curve& p = curves[1];
-    p.points = 3;
-    p.table[1] = {0.5, 0.4};
-    p.table[2] = {1, 1};
-    change(p);
-    return validate(curves);
-  };
   using curve = ph::brake_curve;
-  EXPECT_EQ(error([](curve&) {}), "");
-  EXPECT_EQ(error([](curve& p) { p.residual_torque = -1; }),
-            "brakes[1].residual_torque [N m] = -1, expected a finite number >= 0");
-  EXPECT_EQ(error([](curve& p) { p.torque_per_ampere = 0; }),
-            "brakes[1].torque_per_ampere [N m/A] = 0, expected a finite number > 0");
-  EXPECT_EQ(error([](curve& p) { p.current_limit = INFINITY; }),
-            "brakes[1].current_limit [A] = inf, expected a finite number > 0");
-  EXPECT_EQ(error([](curve& p) { p.hysteresis = NAN; }),
-            "brakes[1].hysteresis [N m] = nan, expected a finite number >= 0");
-  EXPECT_EQ(error([](curve& p) { p.points = 1; }),
-            "brakes[1].points = 1, expected 0 for a straight line, or 2 to 16");
-  EXPECT_EQ(error([](curve& p) { p.table[2].current = 0.5; }),
-            "brakes[1].table[2].current [A] = 0.5, expected more than in the point before it");
-  EXPECT_EQ(error([](curve& p) { p.table[2].torque = 0.4; }),
-            "brakes[1].table[2].torque [N m] = 0.4, expected more than in the point before it");
-  EXPECT_EQ(error([](curve& p) { p.table[1].torque = NAN; }),
-            "brakes[1].table[1].torque [N m] = nan, expected a finite number");
-  EXPECT_EQ(error([](curve& p) { p.table[0].current = -1; }),
-            "brakes[1].table[0].current [A] = -1, expected 0");
-  EXPECT_EQ(error([](curve& p) { p.residual_torque = 0.1; }),
-            "brakes[1].table[0].torque [N m] = 0, expected the residual_torque");
-  EXPECT_EQ(error([](curve& p) { p.current_limit = 1.5; }),
-            "brakes[1].current_limit [A] = 1.5, expected at most the last current of the table");
-  EXPECT_EQ(error([](curve& p) { p.max_temperature = 290; }),
-            "brakes[1].max_temperature [K] = 290, expected at least reference_temperature");
-  EXPECT_EQ(error([](curve& p) { p.loss_per_kelvin = 0.02; }),
-            "brakes[1].loss_per_kelvin [1/K] = 0.02, expected less than 1 / (max_temperature - "
-            "reference_temperature)");
+  struct row {
+    void (*change)(curve&);
+    const char* error;
+  };
+  for (const auto& [change, error] : {
+           row{[](curve&) {}, ""},
+           {[](curve& p) { p.residual_torque = -1; },
+            "residual_torque [N m] = -1, expected a finite number >= 0"},
+           {[](curve& p) { p = {.torque_per_ampere = 0}; },
+            "torque_per_ampere [N m/A] = 0, expected a finite number > 0"},
+           {[](curve& p) { p.current_limit = INFINITY; },
+            "current_limit [A] = inf, expected a finite number > 0"},
+           {[](curve& p) { p.hysteresis = NAN; }, "hysteresis [N m] = nan, expected a finite number >= 0"},
+           {[](curve& p) { p.points = 1; }, "points = 1, expected 0 for a straight line, or 2 to 16"},
+           {[](curve& p) { p.table[2].current = 0.5; },
+            "table[2].current [A] = 0.5, expected more than in the point before it"},
+           {[](curve& p) { p.table[2].torque = 0.4; },
+            "table[2].torque [N m] = 0.4, expected more than in the point before it"},
+           {[](curve& p) { p.table[1].torque = NAN; },
+            "table[1].torque [N m] = nan, expected a finite number"},
+           {[](curve& p) { p.table[0].current = -1; }, "table[0].current [A] = -1, expected 0"},
+           {[](curve& p) { p.residual_torque = 0.1; },
+            "table[0].torque [N m] = 0, expected the residual_torque"},
+           {[](curve& p) { p.current_limit = 1.5; },
+            "current_limit [A] = 1.5, expected at most the last current of the table"},
+           {[](curve& p) { p.max_temperature = 290; },
+            "max_temperature [K] = 290, expected at least reference_temperature"},
+           {[](curve& p) { p.loss_per_kelvin = 0.02; },
+            "loss_per_kelvin [1/K] = 0.02, expected less than 1 / (max_temperature - reference_temperature)"},
+           // What would not be read
+           {[](curve& p) { p.points = 0; },
+            "points = 0, expected 3, as the last entry of the table that is not 0 is table[2]; set points, "
+            "or "
+            "make the entries 0 that are not meant"},
+           {[](curve& p) { p.points = 2; }, "points = 2, expected 3, as"},
+           {[](curve& p) { p.table[15].torque = NAN; }, "points = 3, expected 16, as"},
+           {[](curve& p) { p.table[3].current = 1; }, "points = 3, expected 4, as"},
+           {[](curve& p) { p = {}, p.table[0].torque = 1; }, "points = 0, expected 1, as"},
+           {[](curve& p) { p.torque_per_ampere = 1.6; },
+            "torque_per_ampere [N m/A] = 1.6, expected its default, 1, as the table is read in its place; "
+            "leave "
+            "one of both out"},
+       }) {
+    ph::brake_curves<2> curves{};
+    curves[1].points = 3;
+    curves[1].table[1] = {0.5, 0.4};
+    curves[1].table[2] = {1, 1};
+    change(curves[1]);
+    const std::string told = validate(curves), expected = error;
+    if (expected.ends_with(", as")) EXPECT_TRUE(told.starts_with("brakes[1]." + expected)) << told;
+    else EXPECT_EQ(told, expected.empty() ? "" : "brakes[1]." + expected);
+  }
 }
 
-}  // namespace
+}  // namespace brake_calibration_tests

@@ -1,4 +1,4 @@
-// slow, optimised, together
+// slow, together
 // Samples of one formula without noise: a fit finds its constants, in any unit, from any clock and in any
 // order.
 #include "bench_samples.hpp"
@@ -57,6 +57,13 @@ TEST(a_step_response, is_found_in_any_unit_over_any_torque_on_any_clock_late_or_
   for (const double time_constant : {0.03, 0.05, 0.07})
     for (const double dead_time : {0.0002, 0.02, 0.045})
       expect_found({.time_constant = time_constant, .dead_time = dead_time});
+}
+
+TEST(a_step_response, needs_one_sample_before_the_step) {
+  const auto all = exact_step{}.samples();
+  const auto found = ph::fit_step_response(std::span(all).subspan(100), exact);
+  EXPECT_NEAR(found.before.value + found.change.value, 0.83, 1e-6);
+  EXPECT_NEAR(found.time_constant.value, 0.02, 1e-5);
 }
 
 // From a single start one of these is missed, whichever it is: the dead time has a kink in the formula.

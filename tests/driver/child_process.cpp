@@ -1,3 +1,4 @@
+// together
 // A process beside the loop: that it ends after its parent, whatever happens to either.
 #include "processes.hpp"
 #include "system_call_filter.hpp"
@@ -26,7 +27,7 @@
 
 namespace ph = passive_haptics;
 
-namespace {
+namespace child_process_tests {
 
 std::string ready() { return {}; }
 void until_parent_is_gone(ph::parent_link parent) {
@@ -96,8 +97,6 @@ struct refused_calls : ::testing::Test {
   }
 };
 
-}  // namespace
-
 TEST(a_child_process, that_is_stopped_is_woken_to_end_well) {
   ph::child_process child;
   ASSERT_EQ(child.start(ready, until_parent_is_gone), "");
@@ -125,34 +124,37 @@ TEST(a_child_process, that_does_not_end_is_killed) {
   EXPECT_EQ(kill(process, SIGKILL), -1) << "it is still there";
 }
 
-TEST(a_child_process, that_throws_before_it_is_ready_is_not_ready) {
-  for (const std::string text : {"no device", ""}) {
-    ph::child_process child;
-    const auto thrown = [&]() -> std::string { throw std::runtime_error(text); };
-    EXPECT_EQ(child.start(thrown, until_parent_is_gone), text.empty() ? "an exception without a text" : text);
-    EXPECT_LE(child.pid(), 0);
-  }
-}
-
-TEST(a_child_process, that_does_not_become_ready_is_ended) {
-  ph::child_process child;
-  const auto never = [] {
-    for (;;) pause();
-    return std::string();
+// Through a signal of a child that says nothing, and where next to no time is left.
+TEST(a_child_process, that_is_not_ready_is_no_child) {
+  const hears_signals on;
+  const std::string late = "the process was not ready in time: was it stopped?";
+  const auto throws = [](const std::string& text) {
+    return [text]() -> std::string { throw std::runtime_error(text); };
   };
-  EXPECT_EQ(child.start(never, until_parent_is_gone, 0.1),
-            "the process was not ready in time: was it stopped?");
-  EXPECT_LE(child.pid(), 0);
-}
-
-TEST(a_child_process, that_ends_before_it_is_ready_is_no_child) {
-  ph::child_process child;
-  const auto at_once = [] {
+  const auto never = [](bool signals) {
+    return [signals] {
+      if (signals) poll(nullptr, 0, 10), kill(getppid(), SIGUSR1);
+      for (;;) pause();
+      return std::string();
+    };
+  };
+  const auto ends = [] {
     _exit(0);
     return std::string();
   };
-  EXPECT_EQ(child.start(at_once, until_parent_is_gone), "the process ended before it was ready");
-  EXPECT_LE(child.pid(), 0);
+  struct row {
+    std::function<std::string()> ready;
+    double patience;
+    std::string error;
+  };
+  for (const auto& [ready, patience, error] :
+       {row{throws("no device"), 10, "no device"}, row{throws(""), 10, "an exception without a text"},
+        row{ends, 10, "the process ended before it was ready"}, row{never(true), 0.1, late},
+        row{never(false), 5e-4, late}, row{never(false), 0, late}}) {
+    ph::child_process child;
+    EXPECT_EQ(child.start(ready, until_parent_is_gone, patience), error);
+    EXPECT_LE(child.pid(), 0);
+  }
 }
 
 TEST(a_child_process, that_gets_no_pipe_leaves_no_file_open) {
@@ -283,43 +285,21 @@ TEST(a_child_process, is_waited_for_asleep) {
   EXPECT_LT(used() - before, 0.25);
 }
 
-// Through a signal of a child that says nothing, and where next to no time is left.
-TEST(a_child_process, is_not_waited_for_longer_than_there_is_patience) {
-  const hears_signals on;
-  bool signals = true;
-  const auto never = [&] {
-    poll(nullptr, 0, 10);
-    if (signals) kill(getppid(), SIGUSR1);
-    for (;;) pause();
-    return std::string();
+TEST(a_parent_link, that_cannot_be_watched_counts_the_parent_as_gone_but_not_for_a_signal) {
+  const auto look = [](bool watched) {
+    return processes::said_by_a_process([=] {
+      std::array<int, 2> ends{};
+      const itimerval soon{{0, 0}, {0, 10'000}};
+      const rlimit none{0, 0};  // poll(2) fails
+      std::signal(SIGALRM, [](int) {});
+      if (pipe(ends.data()) != 0 || setitimer(ITIMER_REAL, &soon, nullptr) != 0 ||
+          (!watched && setrlimit(RLIMIT_NOFILE, &none) != 0))
+        return std::string("no pipe");
+      return std::string(ph::parent_link(ends[0], getppid()).gone_within(watched ? 5 : 0) ? "gone" : "there");
+    });
   };
-  ph::child_process child;
-  for (const double patience : {0.1, 5e-4, 0.0}) {
-    EXPECT_EQ(child.start(never, until_parent_is_gone, patience),
-              "the process was not ready in time: was it stopped?");
-    signals = false;
-  }
-}
-
-TEST(a_parent_link, that_cannot_be_watched_counts_the_parent_as_gone) {
-  const auto look = [] {
-    std::array<int, 2> ends{};
-    const rlimit none{0, 0};  // poll(2) fails
-    if (pipe(ends.data()) != 0 || setrlimit(RLIMIT_NOFILE, &none) != 0) return std::string("no pipe");
-    return std::string(ph::parent_link(ends[0], getppid()).gone_within(0) ? "gone" : "there");
-  };
-  EXPECT_EQ(processes::said_by_a_process(look), "gone");
-}
-
-TEST(a_parent_link, is_not_gone_for_a_signal) {
-  const auto look = [] {
-    std::array<int, 2> ends{};
-    const itimerval soon{{0, 0}, {0, 10'000}};
-    std::signal(SIGALRM, [](int) {});
-    if (pipe(ends.data()) != 0 || setitimer(ITIMER_REAL, &soon, nullptr) != 0) return std::string("no pipe");
-    return std::string(ph::parent_link(ends[0], getppid()).gone_within(5) ? "gone" : "there");
-  };
-  EXPECT_EQ(processes::said_by_a_process(look), "there");
+  EXPECT_EQ(look(false), "gone");
+  EXPECT_EQ(look(true), "there");
 }
 
 TEST(shared_memory, throws_where_there_is_none) {
@@ -381,3 +361,5 @@ TEST_F(refused_calls, leave_no_child_that_cannot_be_waited_for) {
   };
   EXPECT_EQ(processes::said_by_a_process(stop), "killed");
 }
+
+}  // namespace child_process_tests

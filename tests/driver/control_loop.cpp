@@ -1,5 +1,4 @@
-#include "../realtime/allocations.hpp"
-
+// together
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/control_loop.hpp>
 
@@ -11,7 +10,7 @@
 
 namespace ph = passive_haptics;
 
-namespace {
+namespace control_loop_tests {
 
 constexpr std::int64_t ms = 1'000'000;
 
@@ -60,8 +59,6 @@ struct a_control_loop : ::testing::Test {
   }
 };
 
-}  // namespace
-
 TEST_F(a_control_loop, wakes_at_absolute_times_however_late_each_cycle_is) {
   clock.late = [](int k) { return 10'000 * k; };
   std::vector<double> late;
@@ -101,20 +98,6 @@ TEST_F(a_control_loop, skips_what_a_long_cycle_missed_and_keeps_the_phase) {
             }).missed,
             2u);
   EXPECT_EQ(numbers, (std::vector<std::int64_t>{1, 2, 5, 6, 7, 8, 9, 10, 11, 12})) << "woken late, too";
-}
-
-TEST_F(a_control_loop, releases_after_so_many_overruns_in_a_row) {
-  parameters.max_overruns = 3;
-  wanted = 20;
-  int k = 0;
-  run([&](const ph::loop_cycle&) {
-    ++k;
-    return k >= 10 && k != 13 ? 1'100'000 : 1000;  // three, one in time, then for ever
-  });
-  EXPECT_EQ(released_before[16], 0u);
-  EXPECT_EQ(released_before[17], 1u) << "after the fourth in a row, from the 14th on";
-  EXPECT_EQ(released.front(), ph::fault::overruns);
-  EXPECT_EQ(released.back(), ph::fault::user);
 }
 
 TEST_F(a_control_loop, that_a_throwing_law_ends_releases_first_and_tells_what_was_thrown) {
@@ -159,6 +142,7 @@ TEST_F(a_control_loop, whose_clock_goes_back_within_a_period_releases) {
     return 100'000;
   });
   EXPECT_EQ(released_before, (std::vector<std::size_t>{0, 0, 0, 1, 1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(released.front(), ph::fault::clock_jump);
 }
 
 TEST_F(a_control_loop, may_overrun_so_often_from_its_first_cycle_on) {
@@ -174,13 +158,9 @@ TEST_F(a_control_loop, may_take_the_whole_period) {
   const auto report = run([](const ph::loop_cycle&) { return ms; });
   EXPECT_EQ(report.overruns + report.missed, 0u);
   EXPECT_EQ(released, std::vector{ph::fault::user});
-}
-
-TEST_F(a_control_loop, whose_clock_goes_back_releases) {
-  clock.late = [](int k) { return k == 5 ? -3 * ms : 0; };
-  run([](const ph::loop_cycle&) { return 0; });
-  EXPECT_EQ(released.front(), ph::fault::clock_jump);
-  EXPECT_EQ(released.size(), 2u);
+  parameters.max_overruns = 1;
+  run([odd = false](const ph::loop_cycle&) mutable { return ms + (odd = !odd); });
+  EXPECT_EQ(std::count(released.begin(), released.end(), ph::fault::overruns), 0) << "never two in a row";
 }
 
 TEST_F(a_control_loop, of_a_machine_that_was_suspended_releases_before_the_next_cycle) {
@@ -215,20 +195,6 @@ TEST_F(a_control_loop, takes_no_pause_between_its_two_clocks_for_a_suspend) {
              [&](ph::fault why) { released.push_back(why); });
   }
   EXPECT_EQ(std::count(released.begin(), released.end(), ph::fault::suspended), 0);
-}
-
-TEST_F(a_control_loop, allocates_nothing_between_its_ends) {
-  ph::control_loop loop;
-  int k = 0;
-  long before = 0, counted = -1;
-  loop.run(
-      [&](const ph::loop_cycle&) {
-        if (k == 0) before = allocations;
-        counted = allocations - before;
-        return ++k < 20;
-      },
-      [] { return false; }, [](ph::fault) {});
-  EXPECT_EQ(counted, 0);
 }
 
 TEST(a_loop_cycle, is_none_by_default) {
@@ -299,3 +265,5 @@ TEST(a_duration_histogram, takes_any_number) {
   EXPECT_EQ(h.percentile(1), std::numeric_limits<std::int64_t>::max());
   EXPECT_EQ(h.between(0, 1), 3u);
 }
+
+}  // namespace control_loop_tests

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace {
+namespace device_clock_tests {
 
 TEST(device_clock, a_sample_that_waited_is_seen_to_be_old) {
   passive_haptics::device_clock clock;
@@ -64,4 +64,4 @@ TEST(device_clock, a_device_that_starts_again_is_taken_up_at_once) {
   EXPECT_NEAR(clock.to_host(1017, 3.001), 3.001, 1e-6);
 }
 
-}  // namespace
+}  // namespace device_clock_tests

@@ -3,6 +3,7 @@
 
 #include <passive_haptics/driver/clock.hpp>
 
+#include <atomic>
 #include <chrono>
 #include <thread>
 
@@ -15,4 +16,17 @@ bool eventually(F&& f) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   return true;
+}
+
+// The result of f(), while live() is called each millisecond by another thread.
+template <class F, class Live>
+auto beside(Live&& live, F&& f) {
+  std::atomic<bool> ended{false};
+  std::thread other([&] {
+    for (; !ended; std::this_thread::sleep_for(std::chrono::milliseconds(1))) live();
+  });
+  const auto result = f();
+  ended = true;
+  other.join();
+  return result;
 }

@@ -71,9 +71,7 @@ double max_residual() {
 }
 
 TEST(force_calibration, finds_the_force_of_the_hand_in_any_pose_after_a_tare_in_another) {
-  for (const double residual :
-       {max_residual<2, 2>(), max_residual<2, 6>(), max_residual<3, 3>(), max_residual<3, 6>()})
-    EXPECT_LE(residual, 1e-14);
+  for (const double residual : {max_residual<2, 2>(), max_residual<3, 6>()}) EXPECT_LE(residual, 1e-14);
 }
 
 TEST(force_calibration, reads_newtons_of_the_first_channels_and_turns_with_the_last_link) {

@@ -1,3 +1,4 @@
+// together
 #include "../../docs/guide/your_port.hpp"
 #include "loopback_socket.hpp"
 #include "serial_peer.hpp"
@@ -8,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace port_properties_tests {
 
 // The firmware on a pseudo-terminal.
 struct at_a_serial_line {
@@ -58,23 +59,22 @@ struct at_a_socket {
   std::array<double, 2> has{};
 };
 
-// The same by a thread, which takes its time; not the supervisor's.
-template <class Case>
-struct by_a_thread : Case {
-  using port = ph::threaded_port<typename Case::port>;
+// By a thread, which takes its time; not the supervisor's.
+struct by_a_thread : at_a_serial_line {
+  using port = ph::threaded_port<at_a_serial_line::port>;
 
-  port make() { return port(Case::make()); }
+  port make() { return port(at_a_serial_line::make()); }
   void live() {
-    Case::live();
+    at_a_serial_line::live();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 };
 
-}  // namespace
+}  // namespace port_properties_tests
 
 namespace passive_haptics::testing {
+using namespace port_properties_tests;
 INSTANTIATE_TYPED_TEST_SUITE_P(serial_port, brake_port_properties, at_a_serial_line);
 INSTANTIATE_TYPED_TEST_SUITE_P(udp_board, brake_port_properties, at_a_socket);
-INSTANTIATE_TYPED_TEST_SUITE_P(threaded_serial_port, brake_port_properties, by_a_thread<at_a_serial_line>);
-INSTANTIATE_TYPED_TEST_SUITE_P(threaded_udp_board, brake_port_properties, by_a_thread<at_a_socket>);
+INSTANTIATE_TYPED_TEST_SUITE_P(threaded_serial_port, brake_port_properties, by_a_thread);
 }  // namespace passive_haptics::testing

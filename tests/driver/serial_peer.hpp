@@ -11,11 +11,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <chrono>
 #include <functional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace serial = example::serial;
@@ -84,17 +81,7 @@ class serial_peer {
   }
   template <class Port>
   std::string open(Port& port, const std::function<void()>& live) {
-    std::atomic<bool> opened{false};
-    std::thread other([&] {
-      while (!opened) {
-        live();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      }
-    });
-    const std::string text = port.open();
-    opened = true;
-    other.join();
-    return text;
+    return beside(live, [&] { return port.open(); });
   }
 
   firmware::pseudo_terminal line;

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace serial_protocol_tests {
 
 namespace serial = example::serial;
 using bytes = std::vector<std::uint8_t>;
@@ -170,26 +170,14 @@ void flip(bytes& line, std::size_t bit) {
   line[bit / 8] = static_cast<std::uint8_t>(line[bit / 8] ^ 1u << bit % 8);
 }
 
-TEST(serial_protocol, no_flip_of_one_bit_makes_a_wrong_message) {
-  random_packets random;
-  for (int k = 0; k < 100; ++k) {
-    const serial::packet p = random.packet();
-    for (std::size_t i = 0; i < 8 * encoded(p).size(); ++i) {
-      bytes f = encoded(p);
-      flip(f, i);
-      expect_only_the_neighbours(p, f, "packet " + std::to_string(k) + ", bit " + std::to_string(i));
-    }
-  }
-}
-
-TEST(serial_protocol, no_flip_of_two_bits_makes_a_wrong_message) {
+TEST(serial_protocol, no_flip_of_one_or_two_bits_makes_a_wrong_message) {
   const serial::packet p = serial::pack(2, serial::currents{2, {5000, 0}});
   const std::size_t size = 8 * encoded(p).size();
   for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = i + 1; j < size; ++j) {
+    for (std::size_t j = i; j < size; ++j) {
       bytes f = encoded(p);
       flip(f, i);
-      flip(f, j);
+      if (j != i) flip(f, j);
       expect_only_the_neighbours(p, f, "bits " + std::to_string(i) + " and " + std::to_string(j));
     }
 }
@@ -245,23 +233,4 @@ TEST(serial_protocol, listening_may_begin_anywhere) {
   }
 }
 
-TEST(serial_protocol, a_noisy_line_yields_nothing_but_what_was_sent) {
-  random_packets random;
-  bytes line;
-  std::vector<serial::packet> sent;
-  for (std::uint32_t k = 0; k < 50'000; ++k) {
-    sent.push_back(pack(k, random.sample()));
-    append(line, encoded(sent.back()));
-  }
-  for (std::size_t i = 0; i < line.size(); ++i)  // one bit in 800
-    if (random.bits()() % 100 == 0) flip(line, 8 * i + random.bits()() % 8);
-  const auto s = decode(line);
-  for (const auto& p : s.packets) {
-    ASSERT_LT(p.sequence, sent.size());
-    ASSERT_TRUE(same(p, sent[p.sequence]));
-  }
-  EXPECT_GT(s.packets.size(), sent.size() / 2);
-  EXPECT_GT(s.damaged, 1000);
-}
-
-}  // namespace
+}  // namespace serial_protocol_tests

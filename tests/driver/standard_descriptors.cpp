@@ -1,3 +1,4 @@
+// together
 // A program that is started without standard input, output or error output.
 #include "processes.hpp"
 #include "system_call_filter.hpp"
@@ -14,7 +15,7 @@
 
 namespace ph = passive_haptics;
 
-namespace {
+namespace standard_descriptors_tests {
 
 // Of each number from 0 to 3: n for /dev/null, c for closed, o for another file.
 std::string kinds() {
@@ -38,8 +39,6 @@ std::string opened(const std::vector<int>& closed) {
     return ph::open_standard_descriptors() ? kinds() : "false";
   });
 }
-
-}  // namespace
 
 TEST(standard_descriptors, that_are_closed_lead_to_dev_null) {
   EXPECT_EQ(opened({0}), "nooo");
@@ -65,3 +64,5 @@ TEST(standard_descriptors, that_cannot_be_opened_are_reported) {
   EXPECT_EQ(open, "open") << "nothing is to be opened";
   EXPECT_EQ(without_dev_null(true), "ENOENT");
 }
+
+}  // namespace standard_descriptors_tests

@@ -264,6 +264,3 @@ TEST_F(a_cycle_at_devices, makes_no_system_call_but_to_sleep) {
 TEST_F(a_cycle_at_devices, that_calls_its_serial_line_itself_is_found_out) {
   expect_found_out(ending_of(drive_devices<serial_port, ph::threaded_sensor<example::net_ft>>));
 }
-TEST_F(a_cycle_at_devices, that_calls_its_network_itself_is_found_out) {
-  expect_found_out(ending_of(drive_devices<ph::threaded_port<serial_port>, example::net_ft>));
-}

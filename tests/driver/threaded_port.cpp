@@ -3,7 +3,6 @@
 #include "eventually.hpp"
 
 #include <gtest/gtest.h>
-#include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/thread/threaded_port.hpp>
 
 #include <sys/resource.h>
@@ -26,10 +25,9 @@ using currents = ph::brake_currents<2>;
 struct device {
   std::timed_mutex line;              // who holds it keeps the port waiting in read()
   std::atomic<bool> is_read = false;  // while the line is held: whether the port waits for it
-  std::atomic<bool> masks_signals = false;
-  std::mutex guard;  // of all below
+  std::mutex guard;                   // of all below
   std::vector<currents> heard;
-  int opened = 0, releases = 0;
+  int releases = 0;
   std::string missing;
   ph::port_sample<2> sample;
   std::vector<port_status> reads;  // then no_sample
@@ -81,16 +79,8 @@ struct slow_port {
   ~slow_port() {
     if (d != nullptr) release();
   }
-  std::string open() {
-    ++d->opened;
-    return d->missing;
-  }
-  port_status read(ph::port_sample<2>& sample) noexcept {
-    sigset_t masked;
-    pthread_sigmask(SIG_SETMASK, nullptr, &masked);
-    d->masks_signals = sigismember(&masked, SIGINT) == 1;
-    return d->answer(sample);
-  }
+  std::string open() { return d->missing; }
+  port_status read(ph::port_sample<2>& sample) noexcept { return d->answer(sample); }
   port_status write(const currents& c) noexcept {
     const std::lock_guard hold(d->guard);
     d->heard.push_back(c);
@@ -134,20 +124,15 @@ struct threaded_port : ::testing::Test {
   }
 };
 
-TEST_F(threaded_port, tells_what_is_missing_and_starts_no_thread) {
+TEST_F(threaded_port, is_the_port_itself_until_that_is_open) {
   d.missing = "no such device";
   port p{slow_port(d)};
   EXPECT_EQ(p.open(), "no such device");
-  p.release();
-  EXPECT_EQ(d.all_releases(), 1) << "at once, by the port itself";
-}
-
-TEST_F(threaded_port, before_open_is_the_port_itself) {
-  port p{slow_port(d)};
   d.say(port_status::failed, 1);
   EXPECT_EQ(p.read(last), port_status::failed);
   EXPECT_EQ(p.write({1, 2}), port_status::ok);
-  EXPECT_EQ(d.all_heard(), (std::vector<currents>{{1, 2}}));
+  p.release();
+  EXPECT_EQ(d.all_heard(), (std::vector<currents>{{1, 2}, {}})) << "at once, by no thread";
   EXPECT_EQ(p.counter_bits(), 24);
 }
 
@@ -214,20 +199,6 @@ TEST_F(threaded_port, tells_how_a_write_ended_with_the_next) {
   }
 }
 
-TEST_F(threaded_port, may_be_moved_and_releases_in_the_end) {
-  {
-    port first{slow_port(d)};
-    ASSERT_EQ(first.open(), "");
-    port p(std::move(first));
-    first.release();  // of nothing
-    p.write({1, 1});
-    ASSERT_TRUE(eventually([&] { return d.all_heard().size() == 1; }));
-    EXPECT_EQ(d.opened, 1);
-  }
-  EXPECT_TRUE(d.heard_last({}));
-  EXPECT_EQ(d.all_releases(), 2) << "its thread's, then its own";
-}
-
 // A port without a destructor: nothing but the thread can carry out the release.
 struct plain_port {
   static constexpr int encoder_count = 1, brake_count = 1;
@@ -268,48 +239,6 @@ TEST_F(threaded_port, whose_read_never_returns_ends_all_the_same) {
   EXPECT_EQ(d.all_releases(), 0) << "the read still waits";
   line.unlock();
   EXPECT_TRUE(eventually([&] { return d.all_releases() == 2; })) << "and the port is gone";
-}
-
-TEST_F(threaded_port, that_does_not_come_back_leaves_the_loop_without_a_heartbeat) {
-  ph::safe_port<port> safe(port{slow_port(d)}, {}, {.hold_over = 0.02});
-  ASSERT_EQ(safe.open(), "");
-  double now = 100;
-  std::uint32_t sequence = 0;
-  const auto cycle = [&] {
-    now += 1e-3;
-    d.guarded([&] { d.sample.time = now, d.sample.valid = {true, true}; });
-    d.say(port_status::ok, ++sequence);
-    eventually([&] { return d.unread() == 0; });
-    safe.read(now);
-    safe.activate();
-    safe.write({1, 1});
-  };
-  for (int k = 0; k < 200 && safe.state() != ph::port_state::active; ++k) cycle();
-  ASSERT_EQ(safe.state(), ph::port_state::active);
-  std::unique_lock line(d.line);
-  ASSERT_TRUE(eventually([&] { return d.is_read.load(); }));
-  int cycles = 0;
-  for (; cycles < 100 && !std::isnan(safe.applied()[0]); ++cycles) {
-    now += 1e-3;
-    safe.read(now);
-    safe.write({1, 1});
-  }
-  EXPECT_LE(cycles, 23) << "20 ms, and what was answered before";
-  EXPECT_EQ(safe.state(), ph::port_state::released);
-  line.unlock();
-  EXPECT_TRUE(eventually([&] {
-    safe.write({1, 1});
-    return d.heard_last({});
-  }));
-}
-
-TEST_F(threaded_port, leaves_signals_to_the_loop) {
-  port p{slow_port(d)};
-  ASSERT_EQ(p.open(), "");
-  EXPECT_TRUE(eventually([&] { return d.masks_signals.load(); }));
-  sigset_t mine;
-  pthread_sigmask(SIG_SETMASK, nullptr, &mine);
-  EXPECT_EQ(sigismember(&mine, SIGINT), 0);
 }
 
 volatile std::sig_atomic_t handled = 0;
@@ -410,6 +339,9 @@ static_assert(ph::ForceSensor<ph::threaded_sensor<slow_sensor>>);
 TEST(threaded_sensor, reads_what_came_and_does_not_wait) {
   device d;
   ph::threaded_sensor<slow_sensor> s(slow_sensor{&d});
+  d.missing = "no sensor there";
+  EXPECT_EQ(s.open(), "no sensor there");
+  d.missing = "";
   ASSERT_EQ(s.open(), "");
   ph::port_sample<2> last;
   {
@@ -419,16 +351,6 @@ TEST(threaded_sensor, reads_what_came_and_does_not_wait) {
   }
   EXPECT_TRUE(eventually([&] { return s.read(last) == port_status::ok; }));
   EXPECT_EQ(last.sequence, 7u);
-}
-
-TEST(threaded_sensor, that_does_not_open_starts_no_thread) {
-  device d;
-  d.missing = "no sensor there";
-  d.say(port_status::ok, 7);
-  ph::threaded_sensor<slow_sensor> s(slow_sensor{&d});
-  EXPECT_EQ(s.open(), "no sensor there");
-  ph::port_sample<2> last;
-  EXPECT_EQ(s.read(last), port_status::ok) << "by this thread, which waits";
 }
 
 TEST(polling_thread, looks_from_start_to_stop_with_a_pause_a_small_stack_and_no_signals) {

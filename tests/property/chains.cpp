@@ -10,16 +10,14 @@
 using namespace passive_haptics::testing;
 using chains::irregular_chain;
 
-// In the plane and in space, as many joints as dimensions and more, with sliding joints and without.
-using open_chains = ::testing::Types<irregular_chain<double, 2, 2>, irregular_chain<float, 5, 2>,
-                                     irregular_chain<double, 3, 3>, irregular_chain<float, 6, 3>>;
+// In the plane with a sliding joint, in space with gravity.
+using open_chains = ::testing::Types<irregular_chain<float, 5, 2>, irregular_chain<double, 6, 3>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(chains, mechanism_properties, open_chains);
 INSTANTIATE_TYPED_TEST_SUITE_P(chains, dynamics_properties, open_chains);
 
-// Each assembly, by one scalar, and four brakes on two joints.
-using loops =
-    ::testing::Types<closed_chains::pantograph<double>, closed_chains::lopsided_five_bar<float>,
-                     closed_chains::upside_down_delta<double>, closed_chains::lopsided_five_bar<double, 4>>;
+// Each assembly of a five-bar, one with four brakes on two joints, and a delta.
+using loops = ::testing::Types<closed_chains::pantograph<float>, closed_chains::lopsided_five_bar<double, 4>,
+                               closed_chains::upside_down_delta<double>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(closed_chains, mechanism_properties, loops);
 INSTANTIATE_TYPED_TEST_SUITE_P(closed_chains, dynamics_properties, loops);
 using delta = closed_chains::desktop_delta<double>;

@@ -2,7 +2,6 @@
 #include "custom_cases.hpp"
 #include "device_cases.hpp"
 
-#include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/testing/control_law_properties.hpp>
 #include <passive_haptics/testing/fault_properties.hpp>
@@ -12,13 +11,12 @@ namespace {
 
 using tendons = device_case<tendon_two_link<double>>;
 using spatial = custom_case<custom::spatial_arm<double>>;
-using law_cases = ::testing::Types<law_case<spatial, direct_control>, law_case<spatial, on_off_control>,
-                                   law_case<tendons, on_off_control>>;
+using spatial_relay = law_case<spatial, on_off_control>;
 using relay = law_case<tendons, on_off_control>;
 
 }  // namespace
 
-INSTANTIATE_TYPED_TEST_SUITE_P(laws, control_law_properties, law_cases);
+INSTANTIATE_TYPED_TEST_SUITE_P(laws, control_law_properties, spatial_relay);
 INSTANTIATE_TYPED_TEST_SUITE_P(laws, fault_properties, relay);
 
 }  // namespace passive_haptics::testing

@@ -1,6 +1,7 @@
-// optimised
+// slow, optimised
 // Every shape of the list in every kind of scene, followed by two hands under the recommended laws: as along
 // the half-space or the analytic shape, or a stated limit. `examples/run experiments scenes` has all of it.
+#include <experiments/scene_limits.cpp>
 #include <experiments/scene_run.hpp>
 
 #include <gtest/gtest.h>

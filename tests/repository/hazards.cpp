@@ -25,8 +25,9 @@ struct test_of_a_hazard {
   std::string_view suite, name, file;
 };
 constexpr test_of_a_hazard fault{"a_fault", "releases_the_brakes_in_time_and_says_why", "safe_port.cpp"};
-constexpr test_of_a_hazard quarter{
-    "rejected_samples", "release_the_brakes_if_they_are_a_quarter_of_those_that_arrived", "safe_port.cpp"};
+constexpr test_of_a_hazard quarter{"rejected_samples",
+                                   "release_the_brakes_if_they_are_a_quarter_of_those_that_arrived",
+                                   "sample_checks.cpp"};
 constexpr std::array tests_of_hazards{
     fault,
     fault,
@@ -37,10 +38,11 @@ constexpr std::array tests_of_hazards{
     fault,
     fault,
     test_of_a_hazard{"a_frozen_encoder", "is_noticed_after_the_others_turned_so_far_without_a_brake",
-                     "safe_port.cpp"},
+                     "sample_checks.cpp"},
     quarter,
     quarter,
-    test_of_a_hazard{"a_counter", "that_may_have_wrapped_unseen_needs_homing_in_each_state", "safe_port.cpp"},
+    test_of_a_hazard{"a_counter", "that_may_have_wrapped_unseen_needs_homing_in_each_state",
+                     "sample_checks.cpp"},
     fault,
     fault,
     test_of_a_hazard{"a_control_loop", "of_a_machine_that_was_suspended_releases_before_the_next_cycle",
@@ -63,9 +65,9 @@ constexpr std::array tests_of_hazards{
     test_of_a_hazard{"process_faults", "end_as_the_release_policy_says_and_lose_nothing_untold",
                      "program/process_faults.cpp"},
     test_of_a_hazard{"record_on_bench", "ends_with_the_brakes_released_and_the_name_of_what_was_wrong",
-                     "brake_identification.cpp"},
+                     "bench_run.cpp"},
     test_of_a_hazard{"record_on_bench", "ends_on_the_clock_of_this_machine_whatever_the_samples_say",
-                     "brake_identification.cpp"},
+                     "bench_run.cpp"},
     test_of_a_hazard{"a_driver_without", "standard_descriptors_leaves_a_whole_log",
                      "program/surroundings.cpp"},
     test_of_a_hazard{"a_handle", "deep_in_a_wall_gets_no_brakes_and_the_end_says_so", "program/home.cpp"},

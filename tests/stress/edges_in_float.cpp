@@ -3,7 +3,7 @@
 
 namespace stress {
 
-using edges_in_float = ::testing::Types<device_case<ph::tendon_two_link<float>>, four_brakes<float>>;
+using edges_in_float = ::testing::Types<four_brakes<float>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(edges_in_float, edges, edges_in_float);
 
 }  // namespace stress

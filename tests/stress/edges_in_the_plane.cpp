@@ -3,8 +3,8 @@
 
 namespace stress {
 
-using edges_in_the_plane = ::testing::Types<device_case<ph::tendon_two_link<double>>, four_brakes<double>,
-                                            chains::irregular_chain<double, 4, 2>>;
+using edges_in_the_plane =
+    ::testing::Types<device_case<ph::tendon_two_link<double>>, chains::irregular_chain<double, 4, 2>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(edges_in_the_plane, edges, edges_in_the_plane);
 
 }  // namespace stress

@@ -44,8 +44,7 @@ std::vector<plane_vector> cone_outline(const plane_vector& apex, const ph::matri
   return outline;
 }
 
-template <class Law>
-still press(const Law& law) {
+still press(bool under_direct_control) {
   const arm_type arm;
   ph::brakes_of<arm_type> brakes;
   brakes.time_constant.setZero();  // a still picture: the brakes have come to their command
@@ -58,10 +57,13 @@ still press(const Law& law) {
   const ph::matrix<double, 2, 2> J(ph::jacobian(arm, q));
   const plane_vector qd = J.partialPivLu().solve(v);
 
-  ph::step_memory<Law> memory;
   const auto touched = ph::sense(ph::scene(ph::wall(surface)), ph::point<2>(x));
+  const auto step = [&]<class Law>(const Law& law) {
+    ph::step_memory<Law> memory;
+    return ph::step(arm, brakes, touched, law, ph::device_state<arm_type>{0, q, qd, hand_force}, memory);
+  };
   still s;
-  s.control = ph::step(arm, brakes, touched, law, ph::device_state<arm_type>{0, q, qd, hand_force}, memory);
+  s.control = under_direct_control ? step(ph::direct_control()) : step(ph::no_direct_control());
   ph::simulated_device device(arm, brakes, hand_mass, q);
   device.set_motion(q, qd);
   device.advance(1e-4, s.control.capacity, hand_force);
@@ -127,7 +129,7 @@ std::string labels(const still& s) {
 }  // namespace
 
 void draw_pull_back(const std::filesystem::path& directory) {
-  const std::array stills{press(ph::no_direct_control()), press(ph::direct_control())};
+  const std::array stills{press(false), press(true)};
   style::table csv;
   for (const still& s : stills) add_still(csv, s);
   example::write_file(directory / "pull_back.csv", csv.str());

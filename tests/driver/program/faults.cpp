@@ -1,57 +1,11 @@
 // What is done to the driver's processes while its brakes may hold.
 #include "program.hpp"
 
-#include <cstring>
-
-namespace {
+namespace faults_tests {
 
 using namespace program;
 
 struct a_driver_whose : a_driver {};
-
-class a_request : public a_driver, public ::testing::WithParamInterface<int> {};
-
-TEST_P(a_request, releases_and_ends_with_the_last_record_written) {
-  start(settings{});
-  ASSERT_TRUE(reaches("active")) << ended();
-  send(GetParam());
-  const outcome o = end();
-  EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_TRUE(has(o.out, "brakes released: as requested")) << o.out;
-  expect_whole_log();
-  EXPECT_TRUE(has(o.out, "\n" + std::to_string(log().size()) + " cycles, ")) << o.out;
-}
-INSTANTIATE_TEST_SUITE_P(each, a_request, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
-                         [](const auto& one) { return std::string("SIG").append(sigabbrev_np(one.param)); });
-
-TEST_F(a_driver_whose, loop_slept_too_long_releases_by_itself) {
-  start(settings{.max_sleep = 0.3});
-  ASSERT_TRUE(reaches("active")) << ended();
-  freeze(1);
-  ASSERT_TRUE(reaches("released"));
-  send(SIGTERM);
-  const outcome o = end();
-  EXPECT_EQ(o.status, 3);
-  EXPECT_TRUE(has(o.out, "brakes released: a cycle began far too late")) << o.out;
-  expect_released_at_the_end("a cycle began far too late");
-}
-
-TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
-  start(settings{.supervisor_timeout = 0.5});
-  ASSERT_TRUE(reaches("active")) << ended();
-  freeze(1.5);
-  std::size_t row = 0;
-  ASSERT_TRUE(reaches("released", 0, &row));
-  send(SIGUSR1);
-  ASSERT_TRUE(reaches("active", row));
-  const outcome o = interrupt();
-  EXPECT_EQ(o.status, 3) << "it had a fault, though it was rearmed";
-  EXPECT_TRUE(has(o.out,
-                  "brakes released: as requested\nreleases by a fault before: 1, first: the supervisor is "
-                  "lost, or released the brakes\n"))
-      << o.out;
-  EXPECT_TRUE(log().is_whole());
-}
 
 // Not that something moved
 TEST_F(a_driver_whose, homing_does_not_end_says_why) {
@@ -126,4 +80,4 @@ TEST_F(a_driver_whose, output_nobody_reads_writes_its_log_all_the_same) {
   expect_whole_log();
 }
 
-}  // namespace
+}  // namespace faults_tests

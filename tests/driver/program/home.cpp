@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace {
+namespace home_tests {
 
 using namespace program;
 namespace ph = passive_haptics;
@@ -60,11 +60,6 @@ TEST_F(a_home_pose, deep_in_a_wall_is_refused_with_its_likely_cause) {
             "inside wall 1 (ball), expected at most max_start_depth, 5 mm; is its filling right (solid: "
             "free outside, hollow: free inside)" +
                 sides);
-  EXPECT_TRUE(
-      has(check("[mechanism]\ntype = \"xy_table\"\n[homing]\npose = [80, 224.5]\n").err,
-          "(80, 224.5) m, handle at (80.0000, 224.5000) m, 224275.0 mm inside wall 1 (plane), expected at "
-          "most max_start_depth, 5 mm; does its normal point to the free side; is the pose that of "
-          "this device, in metres, not millimetres"));
 }
 
 TEST_F(a_home_pose, that_is_refused_opens_no_device) {
@@ -101,10 +96,6 @@ TEST_F(a_home_pose, may_be_as_deep_as_the_file_says) {
   const outcome o = check(deep + "max_start_depth = 0.03\n");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(has(o.out, "wall 1 (plane): 20.0 mm inside it: does")) << o.out;
-  for (const char* wrong : {"-0.001", "nan", "inf"})
-    EXPECT_TRUE(has(check(deep + "max_start_depth = " + wrong).err,
-                    std::string("c.toml:4: [homing] max_start_depth [m] = ") + wrong +
-                        ", expected a finite number >= 0"));
   EXPECT_TRUE(has(check("[homing]\nmax_start_depth = 1").err,
                   "max_start_depth [m] = 1, expected at most 0.1; if it is meant, allow_large"));
 }
@@ -239,4 +230,4 @@ TEST_F(a_handle, gets_brakes_once_it_is_out_and_after_a_rearm_too) {
   EXPECT_FALSE(has(interrupt().out, "\nnot activated"));
 }
 
-}  // namespace
+}  // namespace home_tests

@@ -1,13 +1,12 @@
 // The log of a run: what is not known is empty, replay makes the same decisions of it, and who draws it gets
 // it as it comes.
+#include "../loopback_socket.hpp"
 #include "program.hpp"
 
-#include <arpa/inet.h>
-#include <sys/socket.h>
-
 #include <array>
+#include <memory>
 
-namespace {
+namespace logs_tests {
 
 using namespace program;
 
@@ -126,41 +125,26 @@ TEST_F(a_log, that_is_wrong_is_named_with_file_line_and_column) {
   EXPECT_EQ(replay({"--help"}).out, text_of(shipped + "/../help/05_replay.txt"));
 }
 
-TEST_F(a_log, of_a_simulation_is_made_up_where_none_is_given) {
-  const outcome o = replay({"--output=there"});
-  EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_TRUE(o.out.starts_with("500 lines, 500 with a decision: ")) << o.out;
-  EXPECT_EQ(log_file(directory / "there/replay.csv").size(), 500U);
-}
-
 TEST_F(a_log, comes_live_as_json_to_a_port_of_this_machine) {
-  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0), room = 1 << 22;
-  setsockopt(socket, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  ASSERT_EQ(bind(socket, reinterpret_cast<const sockaddr*>(&address), size), 0);
-  getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
+  auto socket = std::make_unique<loopback_socket>();
   file("c.toml", settings{}.text());
-  start({"--config=c.toml", "--seconds=1", "--quiet", "--live=" + std::to_string(ntohs(address.sin_port))});
-  std::vector<std::string> rows;
-  const timeval patience{10, 0};
-  setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-  std::array<char, 4096> bytes;
-  while (rows.size() < 100) {
-    const ssize_t n = recv(socket, bytes.data(), bytes.size(), 0);
-    ASSERT_GT(n, 0) << "nothing came";
-    rows.emplace_back(bytes.data(), static_cast<std::size_t>(n));
-  }
-  close(socket);  // nobody has to listen
+  start({"--config=c.toml", "--seconds=1", "--quiet", "--live=" + std::to_string(socket->port())});
+  std::string first;
+  int rows = 0;
+  ASSERT_TRUE(eventually([&] {
+    std::array<char, 4096> bytes;
+    for (ssize_t n; (n = socket->receive(bytes.data(), bytes.size())) > 0;)
+      if (rows++ == 0) first.assign(bytes.data(), static_cast<std::size_t>(n));
+    return rows >= 100;
+  })) << rows;
+  socket.reset();  // nobody has to listen
   const outcome o = end();
   EXPECT_EQ(o.status, 0) << o.err;
   const log_file all = log();
   ASSERT_TRUE(all.is_whole());
-  EXPECT_TRUE(rows[0].starts_with("{\"t\":" + all.text(0, "t") + ",\"cycle\":")) << rows[0];
-  EXPECT_TRUE(rows[0].ends_with(",\"compute\":" + all.text(0, "compute") + "}")) << rows[0];
-  EXPECT_TRUE(has(rows[0], ",\"state\":\"ready\",")) << rows[0];
+  EXPECT_TRUE(first.starts_with("{\"t\":" + all.text(0, "t") + ",\"cycle\":")) << first;
+  EXPECT_TRUE(first.ends_with(",\"compute\":" + all.text(0, "compute") + "}")) << first;
+  EXPECT_TRUE(has(first, ",\"state\":\"ready\",")) << first;
 }
 
-}  // namespace
+}  // namespace logs_tests

@@ -5,7 +5,6 @@
 
 #include <ports/simulated_wire.hpp>
 
-#include <pty.h>
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -15,7 +14,7 @@
 #include <set>
 #include <thread>
 
-namespace {
+namespace process_faults_tests {
 
 using namespace program;
 using passive_haptics::monotonic_seconds;
@@ -33,38 +32,24 @@ double longest(policy p) { return p == policy::zero ? 0 : p == policy::ramp ? ra
 enum class stage { start_up, homing, running, stopping };
 constexpr std::array stage_names{"start-up", "homing", "running", "stopping"};
 
-enum class fault {
-  request,
-  loop_killed,
-  loop_stopped,
-  supervisor_killed,
-  supervisor_stopped,
-  recorder_killed,
-  recorder_stopped,
-  both_killed,  // loop and supervisor
-  both_stopped,
-  loop_killed_beside_a_stopped_supervisor,
-  full_disk,
-  removed_folder,
-  same_log,
-  closed_terminal,
-  lost_device,
+// The signal to each process, or what becomes of the log.
+struct fault {
+  const char* name;
+  int to_loop = 0, to_supervisor = 0, to_recorder = 0;
+  const char* told = nullptr;  // of a log that cannot be written
 };
-constexpr std::array fault_names{"SIGINT",
-                                 "SIGKILL of the loop",
-                                 "SIGSTOP, SIGCONT of the loop",
-                                 "SIGKILL of the supervisor",
-                                 "SIGSTOP of the supervisor",
-                                 "SIGKILL of the recorder",
-                                 "SIGSTOP of the recorder",
-                                 "SIGKILL of loop and supervisor",
-                                 "SIGSTOP, SIGCONT of loop and supervisor",
-                                 "SIGSTOP of the supervisor, SIGKILL of the loop",
-                                 "full disk",
-                                 "removed folder",
-                                 "same log",
-                                 "closed terminal",
-                                 "lost device"};
+constexpr std::array faults_at_each_stage{
+    fault{"SIGSTOP of the supervisor", 0, SIGSTOP},
+    fault{"SIGSTOP of the recorder", 0, 0, SIGSTOP},
+    fault{"SIGKILL of the loop", SIGKILL},
+    fault{"SIGSTOP, SIGCONT of the loop", SIGSTOP},
+    fault{"SIGKILL of the supervisor", 0, SIGKILL},
+    fault{"SIGKILL of the recorder", 0, 0, SIGKILL},
+    fault{"SIGKILL of loop and supervisor", SIGKILL, SIGKILL},
+    fault{"SIGSTOP, SIGCONT of loop and supervisor", SIGSTOP, SIGSTOP},
+    fault{"SIGSTOP of the supervisor, SIGKILL of the loop", SIGKILL, SIGSTOP}};
+constexpr fault request{"SIGINT"}, full_disk{"full disk", 0, 0, 0, "File too large"},
+    removed_folder{"removed folder", 0, 0, 0, "its .part was removed"};
 
 struct one_case {
   fault what;
@@ -109,8 +94,8 @@ class bench : public a_driver {
     char line[400];
     std::snprintf(
         line, sizeof line, "%-5s %-9s %-47s %7.2f  %7.2f  %4d  %6zu  %5s  %s",
-        policy_names[index(case_.at_release)], stage_names[index(case_.when)], fault_names[index(case_.what)],
-        stated_, until_zero_, status_, rows_, lost_.c_str(),
+        policy_names[index(case_.at_release)], stage_names[index(case_.when)], case_.what.name, stated_,
+        until_zero_, status_, rows_, lost_.c_str(),
         wrong_.empty() ? "as stated" : ((was_held_up() ? "HELD UP: " : "WRONG: ") + wrong_).c_str());
     return line;
   }
@@ -144,14 +129,9 @@ class bench : public a_driver {
 
   void launch() {
     const words command{driver, "--config", "c.toml"};
-    if (case_.what == fault::full_disk) {
+    if (is(full_disk)) {
       // A file of at most 32 KiB stands for it
       pid = spawn({"/bin/bash", "-c", "ulimit -f 32; exec '" + driver + "' --config c.toml"}, "driver");
-    } else if (case_.what == fault::closed_terminal) {
-      winsize size{};
-      size.ws_row = size.ws_col = 80;
-      pid = forkpty(&terminal_, nullptr, nullptr, &size);
-      if (pid == 0) become(command, directory);
     } else {
       pid = spawn(command, "driver");
     }
@@ -169,7 +149,6 @@ class bench : public a_driver {
           trace_[noted_ % trace_.size()] = {now, std::max(flowing[0], flowing[1])};
           ++noted_;
         }
-        if (terminal_ >= 0) drain();
         usleep(1000);
       }
     });
@@ -181,13 +160,6 @@ class bench : public a_driver {
     void* memory = mmap(nullptr, sizeof(wire), PROT_READ | PROT_WRITE, MAP_SHARED, from, 0);
     close(from);
     return memory == MAP_FAILED ? nullptr : static_cast<wire*>(memory);
-  }
-  void drain() {
-    std::array<char, 4096> bytes;
-    const int to = terminal_;
-    if (to >= 0 && fcntl(to, F_SETFL, O_NONBLOCK) == 0)
-      while (read(to, bytes.data(), bytes.size()) > 0) {
-      }
   }
   double current() const { return noted_ == 0 ? 0 : trace_[(noted_ - 1) % trace_.size()].current; }
 
@@ -215,88 +187,37 @@ class bench : public a_driver {
     return true;
   }
   static bool leads_a_group(pid_t one) { return getpgid(one) == one; }
+  bool is(const fault& one) const { return std::string(case_.what.name) == one.name; }
+  bool loop_is_dead() const { return case_.what.to_loop == SIGKILL; }
+  bool loop_is_stopped() const { return case_.what.to_loop == SIGSTOP; }
+  bool of_supervisor() const { return case_.what.to_loop == 0 && case_.what.to_supervisor != 0; }
+  // A stopped supervisor is woken as its loop dies
+  bool of_both() const {
+    return case_.what.to_supervisor != 0 && case_.what.to_loop == case_.what.to_supervisor;
+  }
+
   // The fault, and its stated time until 0 A
   void happen() {
     happened_ = monotonic_seconds();
-    const double supervised = 1.25 * timeout;
-    switch (case_.what) {
-      case fault::request:
-      case fault::same_log:
-      case fault::full_disk:
-      case fault::removed_folder:
-      case fault::recorder_killed:
-      case fault::recorder_stopped:
-        if (case_.what == fault::recorder_killed) send(SIGKILL, recorder_);
-        if (case_.what == fault::recorder_stopped) send(SIGSTOP, recorder_);
-        if (case_.what == fault::removed_folder) fs::remove_all(directory / "log");
-        if (case_.what == fault::same_log) {
-          file("second.toml", "log = \"log/brake_driver.csv\"");
-          const int second =
-              status_of(spawn({driver, "--config", "second.toml", "--seconds", "0.1"}, "second"));
-          const std::string message = "brake_driver.csv.part': it is there, and process " +
-                                      std::to_string(recorder_) + " writes to it; wait until that ends";
-          require(second == 1 && has(text_of(directory / "second.err"), message),
-                  "a second run took the log");
-        }
-        if (case_.what == fault::full_disk)
-          require(is_told("cycles lost: File too large"), "the full disk is not told as it happens");
-        if (case_.what == fault::removed_folder)
-          require(is_told("cycles lost: its .part was removed"),
-                  "the removed folder is not told as it happens");
-        stated_ = longest(case_.at_release);
-        break;
-      case fault::loop_killed: send(SIGKILL), stated_ = longest(case_.at_release); break;
-      case fault::loop_killed_beside_a_stopped_supervisor:
-        send(SIGSTOP, supervisor_), send(SIGKILL);
-        stated_ = longest(case_.at_release);
-        break;
-      case fault::loop_stopped: send(SIGSTOP), stated_ = supervised + longest(case_.at_release); break;
-      case fault::supervisor_killed:
-      case fault::supervisor_stopped:
-        send(case_.what == fault::supervisor_killed ? SIGKILL : SIGSTOP, supervisor_);
-        // The loop holds as long as it lives
-        stated_ = timeout + (case_.at_release == policy::ramp ? ramp_time : 0);
-        if (case_.at_release == policy::hold || case_.when == stage::stopping)
-          stated_ = longest(case_.at_release);
-        break;
-      case fault::both_killed:
-      case fault::both_stopped: {
-        const int signal = case_.what == fault::both_killed ? SIGKILL : SIGSTOP;
-        send(signal, supervisor_), send(signal);
-        stated_ = watchdog;
-        break;
-      }
-      case fault::closed_terminal:
-        close(std::exchange(terminal_, -1)), stated_ = longest(case_.at_release);
-        break;
-      case fault::lost_device:
-        if (wire* const at = map(); at != nullptr) at->lose();
-        stated_ = 0;
-        break;
-    }
+    const auto& [name, to_loop, to_supervisor, to_recorder, told] = case_.what;
+    if (to_recorder != 0) send(to_recorder, recorder_);
+    if (to_supervisor != 0) send(to_supervisor, supervisor_);
+    if (to_loop != 0) send(to_loop);
+    if (is(removed_folder)) fs::remove_all(directory / "log");
+    if (told != nullptr) require(is_told(std::string("cycles lost: ") + told), "not told as it happens");
+    stated_ = longest(case_.at_release);
+    if (of_both()) stated_ = watchdog;
+    else if (loop_is_stopped()) stated_ += 1.25 * timeout;
+    // The loop holds as long as it lives
+    else if (of_supervisor() && case_.at_release != policy::hold && case_.when != stage::stopping)
+      stated_ += timeout;
   }
 
-  bool loop_is_dead() const {
-    return case_.what == fault::loop_killed || case_.what == fault::loop_killed_beside_a_stopped_supervisor ||
-           case_.what == fault::both_killed;
-  }
-  bool loop_is_stopped() const {
-    return case_.what == fault::loop_stopped || case_.what == fault::both_stopped;
-  }
   // By itself, as the fault alone ends the current
   bool ends_by_itself() const {
-    switch (case_.what) {
-      case fault::supervisor_killed:
-      case fault::supervisor_stopped:
-        return case_.at_release != policy::hold || case_.when == stage::stopping;
-      case fault::recorder_killed:
-      case fault::recorder_stopped: return case_.when == stage::stopping;
-      case fault::request:
-      case fault::full_disk:
-      case fault::removed_folder:
-      case fault::same_log: return false;
-      default: return true;
-    }
+    if (case_.what.to_loop != 0) return true;
+    if (of_supervisor()) return case_.at_release != policy::hold || case_.when == stage::stopping;
+    return case_.what.to_recorder != 0 && case_.when == stage::stopping;
   }
   bool comes_to_zero(double most) {
     const double end = monotonic_seconds() + most;
@@ -307,16 +228,14 @@ class bench : public a_driver {
 
   // Until the program ended
   void finish() {
-    const bool of_supervisor =
-        case_.what == fault::supervisor_stopped || case_.what == fault::supervisor_killed;
-    if (of_supervisor && case_.when != stage::stopping)
+    if (of_supervisor() && case_.when != stage::stopping)
       require(eventually([this] {
                 const log_file all(part_path());
                 return status_now() != 0 ||
                        (all.size() > 2 && all.text(all.size() - 2, "state") == "released");
               }),
               "the loop goes on without a supervisor");
-    bool asked = case_.when == stage::stopping || case_.what == fault::closed_terminal;
+    bool asked = case_.when == stage::stopping;
     if (!ends_by_itself()) {
       asked = true;
       begun_ = happened_ = monotonic_seconds();
@@ -327,7 +246,7 @@ class bench : public a_driver {
     if (loop_is_stopped() && case_.when == stage::homing) usleep(static_cast<unsigned>(1.5e6 * timeout));
     if (loop_is_stopped()) {
       send(SIGCONT);
-      if (case_.what == fault::both_stopped) send(SIGCONT, supervisor_);
+      if (of_both()) send(SIGCONT, supervisor_);
       usleep(100'000);
     }
     if (!loop_is_dead() && !asked) send(SIGINT);
@@ -367,8 +286,7 @@ class bench : public a_driver {
     const bool flowed = case_.when == stage::running || case_.when == stage::stopping;
     double before = 1e9, widest = 0;
     int returned = 0;  // to a current from 0 A
-    const bool by_policy = case_.what != fault::lost_device && case_.what != fault::both_killed &&
-                           case_.what != fault::both_stopped;
+    const bool by_policy = !of_both();
     for (std::size_t k = 0; k < std::min<std::size_t>(noted_, trace_.size()); ++k) {
       const auto [time, current] = trace_[k];
       if (case_.when == stage::homing && current != 0) return wrong("current before it was active");
@@ -395,30 +313,19 @@ class bench : public a_driver {
   void check_status() {
     const bool early = case_.when == stage::start_up, late = case_.when == stage::stopping;
     std::set<int> right{0};
-    switch (case_.what) {
-      case fault::loop_killed:
-      case fault::loop_killed_beside_a_stopped_supervisor:
-      case fault::both_killed:
-        right = {128 + SIGKILL};
-        if (late && case_.at_release == policy::zero) right.insert(0);  // it had ended
-        break;
-      case fault::loop_stopped:
-      case fault::both_stopped:
-      case fault::supervisor_killed:
-      case fault::supervisor_stopped:
-        right = early ? std::set{0, 1, 3} : late ? std::set{0} : std::set{3};
-        if (late && case_.what == fault::both_stopped) right.insert(3);  // by the watchdog
-        if (loop_is_stopped() && case_.when == stage::homing)
-          right.insert(0);  // where the supervisor was late
-        break;
-      case fault::recorder_killed:
-        right = early ? std::set{1, 4} : late ? std::set{0, 4} : std::set{4};
-        break;
-      case fault::recorder_stopped: right = early ? std::set{0, 1} : std::set{0}; break;
-      case fault::full_disk:
-      case fault::removed_folder: right = {4}; break;
-      case fault::lost_device: right = {3}; break;
-      default: break;
+    if (loop_is_dead()) {
+      right = {128 + SIGKILL};
+      if (late && case_.at_release == policy::zero) right.insert(0);  // it had ended
+    } else if (loop_is_stopped() || of_supervisor()) {
+      right = early ? std::set{0, 1, 3} : late ? std::set{0} : std::set{3};
+      if (late && of_both()) right.insert(3);                                 // by the watchdog
+      if (loop_is_stopped() && case_.when == stage::homing) right.insert(0);  // where the supervisor was late
+    } else if (case_.what.to_recorder == SIGKILL) {
+      right = early ? std::set{1, 4} : late ? std::set{0, 4} : std::set{4};
+    } else if (case_.what.to_recorder == SIGSTOP && early) {
+      right = {0, 1};
+    } else if (case_.what.told != nullptr) {
+      right = {4};
     }
     require(right.contains(status_), "status " + std::to_string(status_));
   }
@@ -433,9 +340,9 @@ class bench : public a_driver {
       require(!has_part, "a .part is left");
       require(log_file(log_path()).is_whole() || case_.when == stage::start_up, "the log is not whole");
     }
-    if (status_ == 4 && case_.what != fault::removed_folder) require(has_part, "the .part was not kept");
+    if (status_ == 4 && !is(removed_folder)) require(has_part, "the .part was not kept");
     const std::string out = text_of(directory / "driver.out");
-    if (case_.what == fault::full_disk)
+    if (is(full_disk))
       require(is_told("error: cannot write all of 'log/brake_driver.csv.part'") &&
                   has(out, "log: log/brake_driver.csv.part, as far as it came"),
               "the end does not tell of the full disk");
@@ -451,7 +358,6 @@ class bench : public a_driver {
   }
 
   one_case case_;
-  int terminal_ = -1;
   pid_t recorder_ = -1, supervisor_ = -1;
   std::thread watcher_;
   std::atomic<bool> watching_ = true;
@@ -465,19 +371,13 @@ class bench : public a_driver {
 
 std::vector<one_case> all_cases() {
   std::vector<one_case> all;
-  const auto add = [&](fault what, std::initializer_list<stage> stages) {
-    for (const stage when : stages)
-      for (const policy p : {policy::zero, policy::ramp, policy::hold}) all.push_back({what, when, p});
-  };
-  using enum fault;
-  using enum stage;
-  for (const fault what :
-       {supervisor_stopped, recorder_stopped, loop_killed, loop_stopped, supervisor_killed, recorder_killed,
-        both_killed, both_stopped, loop_killed_beside_a_stopped_supervisor})
-    add(what, {start_up, homing, running, stopping});
-  add(request, {homing, running});
-  for (const fault what : {full_disk, removed_folder, same_log, closed_terminal, lost_device})
-    add(what, {running});
+  for (const policy p : {policy::zero, policy::ramp, policy::hold}) {
+    using enum stage;
+    for (const fault& what : faults_at_each_stage)
+      for (const stage when : {start_up, homing, running, stopping}) all.push_back({what, when, p});
+    for (const stage when : {homing, running}) all.push_back({request, when, p});
+    for (const fault& what : {full_disk, removed_folder}) all.push_back({what, running, p});
+  }
   return all;
 }
 
@@ -539,4 +439,4 @@ TEST(process_faults, end_as_the_release_policy_says_and_lose_nothing_untold) {
               tried - cases.size());
 }
 
-}  // namespace
+}  // namespace process_faults_tests

@@ -22,7 +22,8 @@ namespace program {
 namespace fs = std::filesystem;
 using words = std::vector<std::string>;
 
-inline const std::string driver = PASSIVE_HAPTICS_BRAKE_DRIVER, firmware = PASSIVE_HAPTICS_BRAKE_FIRMWARE,
+inline const std::string driver = PASSIVE_HAPTICS_BRAKE_DRIVER,
+                         board_program = PASSIVE_HAPTICS_BRAKE_FIRMWARE,
                          shipped = PASSIVE_HAPTICS_BRAKE_DRIVER_DIR;
 
 // Waits for what has to come; the time-out is for a test that has failed.

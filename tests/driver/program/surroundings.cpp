@@ -4,7 +4,7 @@
 
 #include <cerrno>
 
-namespace {
+namespace surroundings_tests {
 
 using namespace program;
 
@@ -43,15 +43,6 @@ TEST_F(a_driver_without, standard_descriptors_leaves_a_whole_log) {
   }
 }
 
-TEST_F(a_driver_without, standard_descriptors_has_its_firmware_without_them_too) {
-  if (!fs::exists("/dev/ptmx")) GTEST_SKIP() << "no pseudo-terminal";
-  const pid_t board = spawn_without({0, 1, 2}, {firmware, "--link", "brakes"});
-  ASSERT_TRUE(eventually([this] { return fs::is_symlink(directory / "brakes"); }));
-  expect_null_of(board);
-  kill(board, SIGTERM);
-  EXPECT_EQ(status_of(board), 0);
-}
-
 TEST_F(a_driver_without, close_range_leaves_no_process_where_it_is_killed) {
   file("c.toml", settings{}.text());
   for (const int error : {EPERM, ENOSYS}) {
@@ -64,4 +55,4 @@ TEST_F(a_driver_without, close_range_leaves_no_process_where_it_is_killed) {
   }
 }
 
-}  // namespace
+}  // namespace surroundings_tests

@@ -4,7 +4,7 @@
 #include <pty.h>
 #include <sys/ioctl.h>
 
-namespace {
+namespace terminal_tests {
 
 using namespace program;
 
@@ -164,25 +164,19 @@ TEST_F(a_terminal, shows_no_force_of_a_wall_that_is_not_displayed_and_how_to_rea
   EXPECT_TRUE(shows([this] {
     return shown.count("state    active") == 1 && shown.count("wall     x") == 1 && shown.count("rearm") == 0;
   })) << shown.text();
-  quit();
-}
-
-TEST_F(a_terminal, that_is_small_shows_what_fits) {
-  start_in(10, 40);
-  ASSERT_TRUE(redraws(1));
-  shown.broke_a_line = false;  // by the remarks before the table
-  ASSERT_TRUE(redraws(5));
-  EXPECT_FALSE(shown.broke_a_line) << shown.text();
-  EXPECT_EQ(shown.count("state "), 1) << shown.text();
-  EXPECT_EQ(shown.count("tendon_two_link"), 1) << shown.text();
-  quit();
+  send(SIGINT);
+  EXPECT_TRUE(shows_the_release()) << shown.text();
+  EXPECT_EQ(end().status, 3) << "it had a fault, though it was rearmed";
+  look();
+  EXPECT_EQ(shown.count("releases by a fault before: 1, first: a cycle began far too late"), 1)
+      << shown.text();
 }
 
 TEST_F(a_terminal, of_another_size_keeps_nothing_of_the_table_before) {
   start_in(50, 100);
   ASSERT_TRUE(reaches("active")) << ended();
   ASSERT_TRUE(redraws(2));
-  for (const auto& [rows, columns] : {std::pair{20, 50}, {40, 120}}) {
+  for (const auto& [rows, columns] : {std::pair{10, 40}, {40, 120}}) {
     const winsize size = size_of(rows, columns);
     look();
     ASSERT_EQ(ioctl(terminal, TIOCSWINSZ, &size), 0);
@@ -214,4 +208,12 @@ TEST_F(a_terminal, gets_its_Ctrl_C_through) {
   EXPECT_TRUE(log().is_whole()) << "no process but the loop's heard it";
 }
 
-}  // namespace
+TEST_F(a_terminal, that_is_closed_ends_the_run) {
+  start_in(50, 100);
+  ASSERT_TRUE(reaches("active")) << ended();
+  close(std::exchange(terminal, -1));
+  status_of(pid);
+  expect_whole_log();
+}
+
+}  // namespace terminal_tests

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace wall_tests {
 
 using namespace program;
 
@@ -73,27 +73,6 @@ TEST_F(a_hand_at_the_wall, bounces_off_under_the_law_of_the_paper) {
   EXPECT_GE(found.separations, 3);
 }
 
-// Of a brake that is switched off the log has no capacity; the other one works.
-TEST_F(a_hand_at_the_wall, is_left_to_the_brake_that_is_on) {
-  for (const std::string law : {"direct_control", "velocity_direct_control"}) {
-    SCOPED_TRACE(law);
-    const settings s{.hand_start = 0.5,
-                     .top = "law = \"" + law + "\"",
-                     .sections = "[brakes]\ntorque_lower = [0, -inf]\ntorque_upper = [0, inf]\n"};
-    const outcome o = run(s.text(), {"--seconds", "3", "--quiet"});
-    EXPECT_EQ(o.status, 0) << o.err;
-    const log_file all = log();
-    double first = 0, second = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (all.text(i, "capacity1").empty()) continue;
-      first = std::max(first, all.number(i, "capacity1"));
-      second = std::max(second, all.number(i, "capacity2"));
-    }
-    EXPECT_EQ(first, 0);
-    EXPECT_GT(second, 0);
-  }
-}
-
 // From the bench to the law: brake_bench writes what brake_driver reads, whole and as a section.
 TEST_F(a_hand_at_the_wall, stays_there_with_the_brakes_that_a_bench_measured) {
   ASSERT_EQ(status_of(spawn({PASSIVE_HAPTICS_BRAKE_BENCH, "--brake=coulomb", "--output=."}, "bench")), 0);
@@ -103,4 +82,4 @@ TEST_F(a_hand_at_the_wall, stays_there_with_the_brakes_that_a_bench_measured) {
       along_the_wall({.hand_start = 0.5, .top = "", .sections = text_of(directory / "brakes.toml")}));
 }
 
-}  // namespace
+}  // namespace wall_tests

@@ -3,10 +3,6 @@
 // untold, no current leaves its limits, and no fault comes that was not caused.
 #include "../program/program.hpp"
 
-#include <ports/simulated_wire.hpp>
-
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -20,7 +16,6 @@ namespace {
 
 using namespace program;
 using passive_haptics::monotonic_seconds;
-using wire = example::simulated_wire<2>;
 
 constexpr std::uint64_t seed = 20040627;
 constexpr double limit = 1;                           // of a current [A], the default
@@ -110,7 +105,8 @@ struct a_soak : a_driver {
     rest(seconds);
     send(SIGCONT, process);
   }
-  int releases = 0;  // that were caused
+  int releases = 0;    // that were caused
+  double largest = 0;  // of all currents in the log [A]
   void stop_and_rearm(pid_t process) {
     stop(process, stopped);
     ASSERT_TRUE(becomes("released"));
@@ -118,14 +114,6 @@ struct a_soak : a_driver {
     rest(0.5);
     send(SIGUSR1);
     ASSERT_TRUE(becomes("active"));
-  }
-
-  const wire* map_wire() {
-    EXPECT_TRUE(eventually([&] { return fs::exists(directory / "wire"); }));
-    const int from = open((directory / "wire").c_str(), O_RDONLY | O_CLOEXEC);
-    void* memory = mmap(nullptr, sizeof(wire), PROT_READ, MAP_SHARED, from, 0);
-    close(from);
-    return memory == MAP_FAILED ? nullptr : static_cast<const wire*>(memory);
   }
 
   // How many rows the log has, each as it must be.
@@ -148,6 +136,7 @@ struct a_soak : a_driver {
       const bool is_released = row[column("state")] == "released";
       for (const char* brake : {"current1", "current2"}) {
         EXPECT_TRUE(number(brake) >= 0 && number(brake) <= limit) << line;
+        largest = std::max(largest, number(brake));
         EXPECT_TRUE(!is_released || number(brake) == 0) << line;
       }
       const std::string reason = row[column("reason")];
@@ -165,22 +154,10 @@ TEST_F(a_soak, holds_nothing_more_at_its_end) {
   const char* const given = std::getenv("PASSIVE_HAPTICS_SOAK");
   const double seconds = given == nullptr ? 3600 : std::atof(given);
   std::printf("%g s, seed %llu\n", seconds, static_cast<unsigned long long>(seed));
-  settings s{.supervisor_timeout = timeout, .hand_start = 1, .start_depth = 0.1};
-  std::string text = s.text();
-  text.insert(text.find("[simulation]\n") + 13, "wire = \"wire\"\n");
-  file("c.toml", text);
+  file("c.toml", settings{.supervisor_timeout = timeout, .hand_start = 1, .start_depth = 0.1}.text());
   start({"--config", "c.toml", "--quiet"});
   const double begin = monotonic_seconds();
-  const wire* const amplifiers = map_wire();
-  ASSERT_NE(amplifiers, nullptr);
   ASSERT_TRUE(becomes("active")) << ended();
-
-  double least = 0, largest = 0;  // of all currents that flowed
-  std::jthread watcher([&](const std::stop_token& end) {
-    for (; !end.stop_requested(); usleep(1000))
-      for (const double current : amplifiers->flowing(monotonic_seconds()))
-        least = std::min(least, current), largest = std::max(largest, current);
-  });
 
   load others(directory);
   std::mt19937_64 random(seed);
@@ -218,8 +195,6 @@ TEST_F(a_soak, holds_nothing_more_at_its_end) {
       ASSERT_EQ(now.threads, first[name].threads) << name;
     }
   }
-  watcher.request_stop();
-  watcher.join();
   others.set(0);
   send(SIGINT);
   const outcome o = end();
@@ -230,8 +205,6 @@ TEST_F(a_soak, holds_nothing_more_at_its_end) {
   for (const auto& [name, now] : first)
     std::printf("%-10s  %ld KiB, at most %ld later; %zu descriptors, %ld threads\n", name.c_str(), now.memory,
                 most[name].memory, now.descriptors, now.threads);
-  EXPECT_GE(least, 0);
-  EXPECT_LE(largest, limit);
   EXPECT_GT(largest, 0) << "no brake held";
   ASSERT_TRUE(fs::exists(log_path())) << o.err;
   const std::size_t rows = check_log();
@@ -240,8 +213,8 @@ TEST_F(a_soak, holds_nothing_more_at_its_end) {
     return at == o.out.npos ? 0 : std::stoul(o.out.substr(o.out.find_last_of("\n ", at - 1) + 1));
   };
   const std::size_t cycles = number_before(" cycles, "), lost = number_before(" cycles lost");
-  std::printf("%.0f s: %zu cycles, %zu rows, %zu lost; %d releases; currents %g to %g A\n", lasted, cycles,
-              rows, lost, releases, least, largest);
+  std::printf("%.0f s: %zu cycles, %zu rows, %zu lost; %d releases; currents up to %g A\n", lasted, cycles,
+              rows, lost, releases, largest);
   EXPECT_EQ(rows + lost, cycles);
   EXPECT_EQ(o.status, (releases > 0 ? 3 : 0) + (lost > 0 ? 4 : 0)) << o.out << o.err;
 }

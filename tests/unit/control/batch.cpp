@@ -9,7 +9,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace ph = passive_haptics;
@@ -99,20 +98,6 @@ TEST(batch, at_a_held_scene_samples_it_for_each_state) {
   EXPECT_EQ(held.capacity.of, free.capacity.of);
 }
 
-TEST(batch, by_threads) {
-  constexpr std::size_t n = 1001;
-  const auto batch = direct();
-  batch_cases::states<tendons> in(states_about(0.225, 3, n));
-  batch_cases::results<tendons> alone(n), shared(n);
-  batch(in.spans(), alone.spans());
-  std::thread other([&] { batch(part_of(in.spans(), 0, 499), part_of(shared.spans(), 0, 499)); });
-  batch(part_of(in.spans(), 499, n - 499), part_of(shared.spans(), 499, n - 499));
-  other.join();
-  EXPECT_EQ(alone.capacity.of, shared.capacity.of);
-  EXPECT_EQ(alone.outcome, shared.outcome);
-  EXPECT_EQ(alone.display, shared.display);
-}
-
 TEST(batch, of_states_without_hand_force_and_time) {
   const std::size_t n = 501;
   std::vector<ph::device_state<tendons>> given = states_about(0.225, 4, n);
@@ -139,33 +124,26 @@ TEST(batch, refuses_arrays_of_other_lengths) {
   batch_cases::states<tendons> in(states_about(0.225, 5, 10));
   batch_cases::results<tendons> out(10);
   EXPECT_EQ(error_of(in.spans(), out.spans()), "");
-
-  auto states = in.spans();
-  states.qd[1] = states.qd[1].first(9);
-  EXPECT_EQ(error_of(states, out.spans()),
-            "passive_haptics: length of qd[1] = 9, expected 10, one number for each state, as q[0] has");
-  states = in.spans();
-  states.hand_force[0] = {};
-  EXPECT_EQ(
-      error_of(states, out.spans()),
-      "passive_haptics: length of hand_force[0] = 0, expected 10, one number for each state, as q[0] has; or "
-      "leave hand_force empty");
-  states.hand_force = {};
-  EXPECT_EQ(error_of(states, out.spans()),
-            "passive_haptics: length of hand_force[0] = 0, expected 10, as the law needs a hand force; or "
-            "take a law "
-            "that needs none (no_direct_control)");
-  auto results = out.spans();
-  results.outcome = {};
-  EXPECT_EQ(error_of(in.spans(), results),
-            "passive_haptics: length of outcome = 0, expected 10, one number for each state, as q[0] has");
-  results = out.spans();
-  results.alpha = results.alpha.first(1);
-  EXPECT_EQ(
-      error_of(in.spans(), results),
-      "passive_haptics: length of alpha = 1, expected 10, one number for each state, as q[0] has; or leave "
-      "alpha empty");
   EXPECT_EQ(error_of({}, {}), "");
+  const auto error_after = [&](const auto& change) {
+    auto states = in.spans();
+    auto results = out.spans();
+    change(states, results);
+    return error_of(states, results);
+  };
+  EXPECT_EQ(error_after([](auto& s, auto&) { s.qd[1] = s.qd[1].first(9); }),
+            "passive_haptics: length of qd[1] = 9, expected 10, one number for each state, as q[0] has");
+  EXPECT_EQ(error_after([](auto& s, auto&) { s.hand_force[0] = {}; }),
+            "passive_haptics: length of hand_force[0] = 0, expected 10, one number for each state, as q[0] "
+            "has; or leave hand_force empty");
+  EXPECT_EQ(error_after([](auto& s, auto&) { s.hand_force = {}; }),
+            "passive_haptics: length of hand_force[0] = 0, expected 10, as the law needs a hand force; or "
+            "take a law that needs none (no_direct_control)");
+  EXPECT_EQ(error_after([](auto&, auto& r) { r.outcome = {}; }),
+            "passive_haptics: length of outcome = 0, expected 10, one number for each state, as q[0] has");
+  EXPECT_EQ(error_after([](auto&, auto& r) { r.alpha = r.alpha.first(1); }),
+            "passive_haptics: length of alpha = 1, expected 10, one number for each state, as q[0] has; or "
+            "leave alpha empty");
 }
 
 TEST(batch, refuses_what_a_controller_refuses) {
@@ -177,12 +155,18 @@ TEST(batch, refuses_what_a_controller_refuses) {
                std::invalid_argument);
 }
 
+template <class L, class S>
+void expect_that_of_single_cycles(const L& law, const S& shape,
+                                  const ph::step_options<double>& options = {}) {
+  batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(),
+                                            ph::scene(ph::wall(shape, 1e4)), law, options,
+                                            states_about(0.225, 7, 501));
+}
+
 TEST(batch, of_invalid_options_releases) {
   ph::step_options<double> options;
   options.min_cosine = std::numeric_limits<double>::quiet_NaN();
-  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4));
-  batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, ph::direct_control(),
-                                            options, states_about(0.225, 6, 101));
+  expect_that_of_single_cycles(ph::direct_control(), plane({0, 0.225}, {0, -1}), options);
 }
 
 // A law of one's own: alpha out of [0, 1] and NaN for some hands
@@ -197,16 +181,9 @@ struct wall_that_moves : plane {
   ph::point<2> velocity(const ph::point<2>&) const { return {0.1, -0.1}; }
 };
 
-TEST(batch, of_a_law_of_ones_own) {
-  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4));
-  batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, any_share(), {},
-                                            states_about(0.225, 7, 501));
-}
-
-TEST(batch, at_a_wall_that_moves) {
-  const auto scene = ph::scene(ph::wall(wall_that_moves({0, 0.225}, {0, -1}), 1e4));
-  batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, ph::direct_control(),
-                                            {}, states_about(0.225, 8, 501));
+TEST(batch, of_a_custom_law_at_a_wall_that_moves) {
+  expect_that_of_single_cycles(any_share(), plane({0, 0.225}, {0, -1}));
+  expect_that_of_single_cycles(ph::direct_control(), wall_that_moves({0, 0.225}, {0, -1}));
 }
 
 }  // namespace

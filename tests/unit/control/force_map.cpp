@@ -3,7 +3,6 @@
 #include "../../property/custom_mechanisms.hpp"
 
 #include <passive_haptics/force/forms/form_of.hpp>
-#include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 
 #include <gtest/gtest.h>
@@ -17,23 +16,7 @@ namespace {
 const custom::planar_arm<double> three_joints;
 const ph::vector<double, 3> pose(0.4, 0.9, -0.7);
 
-ph::vector<double, 3> signs(unsigned pattern) {
-  return {pattern & 1 ? 1.0 : -1.0, pattern & 2 ? 1.0 : -1.0, pattern & 4 ? 1.0 : -1.0};
-}
-
 }  // namespace
-
-TEST(force_map, of_a_device_with_self_motion_gives_the_nearest_force) {
-  const auto E = ph::brake_jacobian(three_joints, pose);
-  const auto map = ph::force_map_of(three_joints, pose);
-  for (unsigned pattern = 0; pattern < 8; ++pattern) {
-    const ph::vector<double, 3> s = signs(pattern), wide(100, 100, 100);
-    const ph::vector<double, 2> Fd(0.6, -0.8);
-    const auto found = ph::nearest_torque(map, ph::torques_within(s, wide), Fd);
-    EXPECT_LT((found.force - ph::nearest_force(E, s, Fd).force).norm(), 1e-12);
-    EXPECT_LT((found.torque - ph::brake_torque(E, found.force)).norm(), 1e-12) << "self-motion is driven";
-  }
-}
 
 TEST(force_map, gives_the_nearest_force_within_limits) {
   const auto E = ph::brake_jacobian(three_joints, pose);
@@ -51,14 +34,6 @@ TEST(force_map, gives_the_nearest_force_within_limits) {
     if ((ph::brake_torque(E, F).array().abs() > limit.array()).any()) continue;
     ASSERT_GE((F - Fd).norm(), (found.force - Fd).norm() - 1e-12);
   }
-}
-
-TEST(force_map, of_redundant_brakes_is_one_call) {
-  const ph::five_bar<double, 4> device;
-  const auto q = device.inverse({0.02, 0.2}).q;
-  const auto map = ph::force_map_of(device, q);
-  EXPECT_EQ(map.G, ph::force_generators(device, q));
-  EXPECT_TRUE(map.P.isZero(0));
 }
 
 TEST(velocity, is_that_of_the_brakes_through_E) {

@@ -110,14 +110,15 @@ TEST(min_power_torques, ask_brakes_beside_one_that_is_held_in_turn) {
   range.A.diagonal().setConstant(2);  // 0.3 for each N m of the others
   range.any_at_rest = range.at_rest[0] = range.at_rest[1] = range.held[0] = true;
   range.sign_is_lasting.setConstant(true);
-  const auto torques = [&](double wanted) {
-    return ph::min_power_torques<double, 4>(V(1, -0.2, -0.2, -0.2), wanted, range, V::Zero());
+  const auto expect = [&](double wanted, const V& torques) {
+    const V t = ph::min_power_torques<double, 4>(V(1, -0.2, -0.2, -0.2), wanted, range, V::Zero());
+    EXPECT_LE((t - torques).norm(), 1e-12) << wanted;
   };
-  EXPECT_LE((torques(0.5 + 0.3 * 0.4) - V(0.5, 0, 0.4, 0)).norm(), 1e-12);
-  EXPECT_LE((torques(0.5 + 0.3 * 1.5) - V(0.5, 0, 1, 0.5)).norm(), 1e-12);
-  EXPECT_LE((torques(100) - V(0.5, 0, 1, 5)).norm(), 1e-12);
+  expect(0.5 + 0.3 * 0.4, V(0.5, 0, 0.4, 0));
+  expect(0.5 + 0.3 * 1.5, V(0.5, 0, 1, 0.5));
+  expect(100, V(0.5, 0, 1, 5));
   range.A(0, 3) = range.A(3, 0) = 1;  // the last would pull in
-  EXPECT_LE((torques(100) - V(0.5, 0, 1, 0)).norm(), 1e-12);
+  expect(100, V(0.5, 0, 1, 0));
 }
 
 // Two walls that the brakes can serve both: each gets what it wants, also where that is less than nothing.

@@ -72,17 +72,6 @@ TEST(saturation, denormal_torques_stay_finite_and_within_the_limits) {
   EXPECT_TRUE(ph::all_finite(tiny.torque));
 }
 
-// The limits may stand before or after alpha: a brake that is cut first lets go as alpha falls; a command of
-// 5e4 N that is scaled first stays within them.
-TEST(saturation, stands_before_or_after_alpha) {
-  const V t(1000, -2000), limit(1, 1);
-  constexpr double alpha = 1.0 / 4096;
-  const V after = keep(t, alpha, limit).torque;
-  const V before = alpha * keep(t, 1, limit).torque;
-  EXPECT_EQ(after, alpha * t) << "0.49 N m are within the limits";
-  EXPECT_EQ(before, alpha * V(0.5, -1));
-}
-
 // The law holds of every brake: keep_direction scales all by the smallest factor that one of them needs.
 TEST(saturation, of_a_step_scales_all_brakes_by_the_smallest_factor_or_cuts_each) {
   using M = ph::tendon_two_link<double>;

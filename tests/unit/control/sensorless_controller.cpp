@@ -94,8 +94,9 @@ TEST(sensorless_controller, believes_that_a_hand_pushes_on_where_a_brake_holds) 
   }
 }
 
-// While the estimate forgets the brake, what it sees and what is believed are told together.
-TEST(sensorless_controller, tells_what_is_seen_and_what_is_hidden_together) {
+// While the estimate forgets the brake, what it sees and what is believed are told together; a jolt while the
+// brake holds is seen, and is no more push than before.
+TEST(sensorless_controller, hides_less_where_more_is_seen) {
   blind_table device;
   device.move(0.0201, 0.2);
   double least = 4;
@@ -105,12 +106,6 @@ TEST(sensorless_controller, tells_what_is_seen_and_what_is_hidden_together) {
     least = std::min(least, device.control.hand().force[1]);
   }
   EXPECT_LT(least, 2);
-}
-
-// A jolt while the brake holds is seen, and is no more push than before.
-TEST(sensorless_controller, hides_less_where_more_is_seen) {
-  blind_table device;
-  device.move(0.0201, 0.2);
   device.move(0, 0.2);
   const double before = device.heard[1];
   EXPECT_GT(before, 3);
@@ -128,15 +123,6 @@ TEST(sensorless_controller, believes_nothing_after_a_fault_or_a_reset) {
     device.move(0.0199, 0.02);
     EXPECT_EQ(device.heard[1], 0);
   }
-}
-
-// The speed before a reset is not known after it: no force is seen in the first cycle.
-TEST(sensorless_controller, sees_no_motion_over_a_reset) {
-  blind_table device;
-  device.move(0.0201, 0.01);
-  device.control.reset();
-  device.inside(5);
-  EXPECT_TRUE(device.control.hand().force.isZero(0));
 }
 
 TEST(sensorless_controller, forgets_what_its_law_remembers) {
@@ -201,34 +187,6 @@ TEST(sensorless_controller, releases_the_brakes_on_faults) {
   EXPECT_EQ(device.inside().outcome, ph::status::ok);
 }
 
-TEST(sensorless_controller, reads_no_force) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  blind_table one, other;
-  for (; one.time < 0.02; one.time += 1e-3) {
-    const double rate = one.time < 0.01 ? 0.05 : 0.01;
-    const auto a = one.inside(rate);
-    const auto b = other.control(ph::device_state<table>{one.time, {0, 1e-3}, {1, rate}, {nan, nan}});
-    EXPECT_EQ(a.capacity, b.capacity);
-    EXPECT_EQ(b.outcome, ph::status::ok);
-    EXPECT_EQ(one.heard, other.heard);
-  }
-}
-
-// Slipping all the time, after free space and after a reset as well.
-TEST(sensorless_controller, probes_no_brake_that_slips) {
-  blind_table device{.p = quick};
-  device.move(0.0201, 0.3);
-  device.outside();
-  device.time += 1e-3;
-  device.move(0.0201, 0.3);
-  device.control.reset();
-  device.move(0.0201, 0.3);
-  device.inside();
-  device.control.reset();
-  device.time = 0;  // before it was at rest
-  device.move(0.0201, 0.3);
-}
-
 // As much more as brings a brake to what the law counts on in two cycles at 1 kHz, to a thousandth of its
 // limit.
 TEST(sensorless_controller, makes_up_for_a_probe_in_two_cycles) {
@@ -261,6 +219,21 @@ TEST(sensorless_controller, makes_up_for_a_probe_in_two_cycles) {
   EXPECT_EQ(device.inside().capacity[1], 4);
   device.time += 1e-3;
   EXPECT_EQ(device.inside().capacity[1], 4);
+}
+
+// Slipping all the time, after free space and after a reset as well.
+TEST(sensorless_controller, probes_no_brake_that_slips) {
+  blind_table device{.p = quick};
+  device.move(0.0201, 0.3);
+  device.outside();
+  device.time += 1e-3;
+  device.move(0.0201, 0.3);
+  device.control.reset();
+  device.move(0.0201, 0.3);
+  device.inside();
+  device.control.reset();
+  device.time = 0;  // before it was at rest
+  device.move(0.0201, 0.3);
 }
 
 }  // namespace

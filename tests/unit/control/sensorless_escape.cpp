@@ -1,6 +1,6 @@
 // slow, optimised
 // Simulated hands that want to leave a wall, without a force sensor.
-#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
@@ -47,10 +47,8 @@ escape press_and_pull(Control& control, double press, double pull, double along,
     const bool leaves = time >= reversal;
     if (k % 10 == 0) {
       told = control(state{time, handle.q(), handle.qd()}).capacity;
-      if constexpr (requires { control.probing(); }) {
-        if (leaves && !released && control.probing() == phase::released) found.to_release = time - reversal;
-        released = leaves && control.probing() == phase::released;
-      }
+      if (leaves && !released && control.probing() == phase::released) found.to_release = time - reversal;
+      released = leaves && control.probing() == phase::released;
     }
     // Fingers damp what they hold
     const Eigen::Vector2d wish =
@@ -91,13 +89,6 @@ void expect_escapes_within_the_stated_time() {
 TEST(sensorless_escape, is_within_the_stated_time) {
   expect_escapes_within_the_stated_time<ph::direct_control>();
   expect_escapes_within_the_stated_time<ph::velocity_direct_control>();
-}
-
-// Without the probe and without a sensor the brakes hold the hand inside indefinitely.
-TEST(sensorless_escape, never_ends_without_a_probe) {
-  const device arm;
-  ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(wall)), ph::no_direct_control());
-  EXPECT_LT(press_and_pull(control, 2, 1, 0, 0.5).to_leave, 0);
 }
 
 // How fast a hand that only presses sinks by its probes [mm/s].

@@ -6,7 +6,6 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/pipelines/several_walls.hpp>
-#include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -24,21 +23,18 @@ namespace ph = passive_haptics;
 
 namespace {
 
-using arms::arm, arms::of_rods;
+using arm_3 = arms::arm<3>;
 
-template <class M>
 struct two_walls {
-  M mechanism;
-  ph::device_state<M> state;
+  ph::device_state<arm_3> state;
   ph::contacts<2, 2> touched;
 };
 
-template <class M>
-two_walls<M> random_walls(const M& mechanism, ph::testing::random_source& random) {
-  two_walls<M> all{mechanism, {}, {}};
+two_walls random_walls(ph::testing::random_source& random) {
+  two_walls all;
   all.state.time = 0;
-  all.state.q = random.normal_vector<double, M::dof>();
-  all.state.qd = random.normal_vector<double, M::dof>();
+  all.state.q = random.normal_vector<double, arm_3::dof>();
+  all.state.qd = random.normal_vector<double, arm_3::dof>();
   all.state.hand_force = random.normal_vector<double, 2>();
   for (int j = 0; j < 2; ++j)
     all.touched.push_back({.normal = random.direction<double, 2>(),
@@ -49,17 +45,16 @@ two_walls<M> random_walls(const M& mechanism, ph::testing::random_source& random
 }
 
 // What of the demands a set leaves, those first that have priority.
-template <class M>
-std::array<double, 2> left_by(const ph::brake_vector<M>& signs,
-                              const ph::matrix<double, M::brake_count, 2>& W,
-                              const ph::step_result_of_contacts<M, 2>& result,
+std::array<double, 2> left_by(const ph::brake_vector<arm_3>& signs,
+                              const ph::matrix<double, arm_3::brake_count, 2>& W,
+                              const ph::step_result_of_contacts<arm_3, 2>& result,
                               const std::array<ph::point<2>, 2>& normals) {
-  constexpr int m = M::brake_count;
+  constexpr int m = arm_3::brake_count;
   std::array<ph::contact_demand<double, 2>, 2> demands;
   for (std::size_t j = 0; j < 2; ++j)
     demands[j] = {normals[j], result.contacts[j].wanted, result.contacts[j].has_priority};
   auto box = ph::torques_within<double, m>(
-      signs, ph::brake_vector<M>::Constant(std::numeric_limits<double>::infinity()));
+      signs, ph::brake_vector<arm_3>::Constant(std::numeric_limits<double>::infinity()));
   for (int i = 0; i < m; ++i)
     if (W.row(i).isZero(0)) box.lower[i] = box.upper[i] = 0;
   const auto met = ph::contact_forces<double, 2, m, 2>({W.transpose()}, box, demands, 2);
@@ -71,15 +66,15 @@ std::array<double, 2> left_by(const ph::brake_vector<M>& signs,
   return left;
 }
 
-template <class M>
-void expect_best_set(const M& mechanism) {
+TEST(settled_walls, are_met_by_the_best_set_of_brakes_at_rest) {
+  const arm_3 mechanism = arms::of_rods<3>();
   ph::testing::random_source random(20040627);
   int met = 0, unmet = 0;
   for (int k = 0; k < 200; ++k) {
     SCOPED_TRACE(::testing::Message() << "seed 20040627, state " << k);
-    const auto walls = random_walls(mechanism, random);
+    const auto walls = random_walls(random);
     ph::step_memory<ph::direct_control> memory;
-    ph::brakes_of<M> brakes;
+    ph::brakes_of<arm_3> brakes;
     brakes.torque_limit.setConstant(1e6);
     const auto result = ph::step(mechanism, brakes, walls.touched, ph::direct_control(), walls.state, memory);
     ASSERT_EQ(result.outcome, ph::status::ok);
@@ -87,15 +82,16 @@ void expect_best_set(const M& mechanism) {
     // The promises
     ASSERT_TRUE((result.settled_signs.array() * result.cone_coefficients.array() <= 0).all());
     ASSERT_TRUE((result.signs.array() * result.torque.array() <= 0).all());
-    const ph::joint_vector<M> balance =
+    const ph::joint_vector<arm_3> balance =
         ph::transposed_transmission(mechanism, walls.state.q) * result.cone_coefficients -
-        ph::transposed(ph::jacobian_matrix<M>(ph::jacobian(mechanism, walls.state.q))) * result.control_force;
+        ph::transposed(ph::jacobian_matrix<arm_3>(ph::jacobian(mechanism, walls.state.q))) *
+            result.control_force;
     const double size = result.cone_coefficients.norm() + result.control_force.norm();
     ASSERT_LE(balance.norm(), 1e-9 * size);
     ASSERT_LE(result.control_force.dot(result.settled_velocity),
               1e-9 * size + result.cone_coefficients.cwiseAbs().dot(brakes.rate_dead_band));
     // No other set leaves less
-    const ph::settled_rates<M> rates({mechanism, walls.state.q});
+    const ph::settled_rates<arm_3> rates({mechanism, walls.state.q});
     std::array<double, 2> left{}, least{1e300, 1e300};
     for (std::size_t j = 0; j < 2; ++j) {
       const auto& report = result.contacts[j];
@@ -103,9 +99,9 @@ void expect_best_set(const M& mechanism) {
       level = std::hypot(level, report.wanted - report.displayed);
     }
     rates.for_each([&](ph::brake_set, const auto& W) {
-      const ph::brake_vector<M> w = W * result.settled_velocity;
-      const ph::brake_vector<M> none = ph::brake_vector<M>::Zero();
-      const auto of_set = left_by<M>(ph::brake_signs(w, none, brakes), W, result, normals);
+      const ph::brake_vector<arm_3> w = W * result.settled_velocity;
+      const ph::brake_vector<arm_3> none = ph::brake_vector<arm_3>::Zero();
+      const auto of_set = left_by(ph::brake_signs(w, none, brakes), W, result, normals);
       const double equal = 1e-6 * (1 + least[0]);
       if (of_set[0] < least[0] - equal || (of_set[0] < least[0] + equal && of_set[1] < least[1]))
         least = of_set;
@@ -120,85 +116,92 @@ void expect_best_set(const M& mechanism) {
   EXPECT_GT(unmet, 20);
 }
 
-TEST(settled_walls, are_met_by_the_best_set_of_brakes_at_rest) {
-  expect_best_set(of_rods<3>());
-  expect_best_set(ph::braked_joints<arm<4>, 0, 2, 3>(of_rods<4>()));
-}
+// Walls of 1e6 N/m through these places: a floor to the south and a side to the west.
+struct a_corner {
+  arm_3 mechanism = arms::of_rods<3>();
+  ph::joint_vector<arm_3> q{0.4, 0.7, 0.6};
+  ph::point<2> x = mechanism.position(q);
+  ph::half_space<2> floor, side;
+  ph::brakes_of<arm_3> brakes = [] {
+    ph::brakes_of<arm_3> b;
+    b.torque_limit.setConstant(2);
+    return b;
+  }();
+  ph::controller<arm_3, decltype(ph::scene(ph::wall(floor), ph::wall(side))), ph::velocity_direct_control>
+      control;
+
+  // From the handle at the start
+  a_corner(double depth, double off_the_side)
+      : floor(x + ph::point<2>(0, depth), {0, 1}),
+        side(x - ph::point<2>(off_the_side, 0), {1, 0}),
+        control(mechanism, brakes, ph::scene(ph::wall(floor, 1e6), ph::wall(side, 1e6)),
+                ph::velocity_direct_control()) {}
+
+  // A simulated device; push(time, device) is what the hand does, visit(time, device) sees each step.
+  template <class Push, class Visit>
+  void run(double hand_mass, double duration, const Push& push, const Visit& visit) {
+    ph::simulated_device<arm_3> device(mechanism, brakes, hand_mass, q);
+    constexpr double step = 2e-4;
+    ph::brake_vector<arm_3> capacity = ph::brake_vector<arm_3>::Zero();
+    for (int k = 0; k < std::lround(duration / step); ++k) {
+      const double time = k * step;
+      if (k % 5 == 0) {
+        const auto result =
+            control(ph::device_state<arm_3>{time, device.q(), device.qd(), device.sensed_force()});
+        ASSERT_EQ(result.outcome, ph::status::ok);
+        capacity = result.capacity;
+      }
+      device.advance(step, capacity, push(time, device));
+      visit(time, device);
+    }
+    EXPECT_LT(device.energy().max_brake_power, 1e-15);
+  }
+};
 
 // A hand pushes with 2 N into a corner of two walls at right angles; a moment later it pulls out of one.
-template <class M>
-void expect_corner_held(const M& mechanism, const ph::joint_vector<M>& q) {
-  const ph::point<2> corner = mechanism.position(q);
-  const ph::half_space<2> floor(corner - ph::point<2>(0, 1e-3), {0, 1});
-  const ph::half_space<2> side(corner - ph::point<2>(1e-3, 0), {1, 0});
-  ph::brakes_of<M> brakes;
-  brakes.torque_limit.setConstant(2);
-  ph::simulated_device<M> device(mechanism, brakes, 0.3, q);
-  ph::controller control(mechanism, brakes, ph::scene(ph::wall(floor, 1e6), ph::wall(side, 1e6)),
-                         ph::velocity_direct_control());
-  double max_depth = 0, power = 0;
-  ph::brake_vector<M> capacity = ph::brake_vector<M>::Zero();
+TEST(settled_walls, hold_a_hand_in_a_corner) {
+  a_corner corner(-1e-3, 1e-3);
+  double max_depth = 0;
   ph::point<2> at_the_end;
-  for (int k = 0; k < 20000; ++k) {
-    const bool pulls = k >= 15000;
-    const ph::vector<double, 2> push(pulls ? 0.6 : -1.4, -1.4), damping = -2 * device.velocity();
-    if (k % 10 == 0) {
-      const ph::device_state<M> state{k * 1e-4, device.q(), device.qd(), device.sensed_force()};
-      const auto result = control(state);
-      ASSERT_EQ(result.outcome, ph::status::ok);
-      capacity = result.capacity;
-    }
-    device.advance(1e-4, capacity, push + damping);
-    power = std::max(power, device.energy().max_brake_power);
-    at_the_end = device.position();
-    if (!pulls) max_depth = std::max({max_depth, -floor.distance(at_the_end), -side.distance(at_the_end)});
-  }
+  corner.run(
+      0.3, 1.4,
+      [](double time, const auto& device) {
+        return ph::point<2>(ph::point<2>(time >= 1 ? 0.6 : -1.4, -1.4) - 2 * device.velocity());
+      },
+      [&](double time, const auto& device) {
+        at_the_end = device.position();
+        if (time < 1)
+          max_depth =
+              std::max({max_depth, -corner.floor.distance(at_the_end), -corner.side.distance(at_the_end)});
+      });
   EXPECT_LT(max_depth, 8e-3);
-  EXPECT_GT(side.distance(at_the_end), 5e-3) << "a hand that pulls out of one wall is free";
-  EXPECT_LT(-floor.distance(at_the_end), 8e-3);
-  EXPECT_LT(power, 1e-15);
+  EXPECT_GT(corner.side.distance(at_the_end), 5e-3) << "a hand that pulls out of one wall is free";
+  EXPECT_LT(-corner.floor.distance(at_the_end), 8e-3);
 }
-
-TEST(settled_walls, hold_a_hand_in_a_corner) { expect_corner_held(of_rods<4>(), {0.4, 0.7, 0.6, 0.5}); }
 
 // 10 mm deep in the floor, 1 mm off the side, the hand pulls out of the floor along the side.
 TEST(settled_walls, let_a_hand_leave_a_wall_beside_another_one) {
-  const auto mechanism = of_rods<4>();
-  const ph::joint_vector<arm<4>> q{0.4, 0.7, 0.6, 0.5};
-  const ph::point<2> x = mechanism.position(q);
-  const ph::half_space<2> floor(x + ph::point<2>(0, 10e-3), {0, 1}), side(x - ph::point<2>(1e-3, 0), {1, 0});
-  ph::brakes_of<arm<4>> brakes;
-  ph::controller control(mechanism, brakes, ph::scene(ph::wall(floor, 1e6), ph::wall(side, 1e6)),
-                         ph::velocity_direct_control());
-  const ph::jacobian_matrix<arm<4>> J(ph::jacobian(mechanism, q));
-  const ph::joint_vector<arm<4>> qd =
+  a_corner corner(10e-3, 1e-3);
+  const ph::jacobian_matrix<arm_3> J(ph::jacobian(corner.mechanism, corner.q));
+  const ph::joint_vector<arm_3> qd =
       J.transpose() * ph::matrix<double, 2, 2>(J * J.transpose()).inverse() * ph::vector<double, 2>(0, 0.03);
-  EXPECT_EQ(control(ph::device_state<arm<4>>{0, q, qd, {-0.5, 1}}).capacity.maxCoeff(), 0);
+  EXPECT_EQ(corner.control(ph::device_state<arm_3>{0, corner.q, qd, {-0.5, 1}}).capacity.maxCoeff(), 0);
 }
 
 // A flick along the floor, towards a side 30 mm away, that ends halfway: the sensor reads nothing then.
 TEST(settled_walls, stop_a_hand_that_coasts_into_a_corner) {
-  const auto mechanism = of_rods<4>();
-  const ph::joint_vector<arm<4>> q{0.4, 0.7, 0.6, 0.5};
-  const ph::point<2> x = mechanism.position(q);
-  const ph::half_space<2> floor(x - ph::point<2>(0, 0.2e-3), {0, 1}),
-      side(x - ph::point<2>(30e-3, 0), {1, 0});
-  ph::brakes_of<arm<4>> brakes;
-  brakes.torque_limit.setConstant(2);
-  ph::simulated_device<arm<4>> device(mechanism, brakes, 0.5, q);
-  ph::controller control(mechanism, brakes, ph::scene(ph::wall(floor, 1e6), ph::wall(side, 1e6)),
-                         ph::velocity_direct_control());
+  a_corner corner(-0.2e-3, 30e-3);
   double max_depth = 0;
   bool coasts = false;
-  ph::brake_vector<arm<4>> capacity = ph::brake_vector<arm<4>>::Zero();
-  for (int k = 0; k < 10000; ++k) {
-    if (k % 10 == 0)
-      capacity = control(ph::device_state<arm<4>>{k * 1e-4, device.q(), device.qd(), device.sensed_force()})
-                     .capacity;
-    coasts = coasts || side.distance(device.position()) < 15e-3;
-    device.advance(1e-4, capacity, {coasts ? 0.0 : -2.0, -1});
-    max_depth = std::max(max_depth, -side.distance(device.position()));
-  }
+  corner.run(
+      0.5, 1,
+      [&](double, const auto& device) {
+        coasts = coasts || corner.side.distance(device.position()) < 15e-3;
+        return ph::point<2>(coasts ? 0.0 : -2.0, -1);
+      },
+      [&](double, const auto& device) {
+        max_depth = std::max(max_depth, -corner.side.distance(device.position()));
+      });
   EXPECT_TRUE(coasts);
   EXPECT_LT(max_depth, 1e-3);
 }

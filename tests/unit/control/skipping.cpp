@@ -6,12 +6,8 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/models/xy_table.hpp>
-#include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
-#include <passive_haptics/testing/support/random.hpp>
 
-#include <cmath>
 #include <limits>
 
 namespace {
@@ -128,15 +124,6 @@ TEST_F(skipping, a_second_wall_costs_its_distance_and_a_wall_that_can_move_its_v
   EXPECT_EQ(count.jacobian, 1);
 }
 
-TEST_F(skipping, an_exact_force_is_the_desired_one) {
-  // Every brake turns against the torque that it is to give: w = -E^T n
-  const ph::tendon_two_link<double> arm;
-  const auto E = ph::brake_jacobian(arm, handle_at(0.23, {0, 0}).q);
-  const auto result = control(handle_at(0.23, -20 * (E * E.transpose() * pair(0, -1))));
-  ASSERT_EQ(result.display, ph::display_class::exact);
-  EXPECT_EQ(result.control_force, result.desired_force);
-}
-
 // A law that counts its calls.
 struct counting_law {
   template <class T, int D>
@@ -155,29 +142,6 @@ TEST_F(skipping, a_law_is_called_once_for_a_wall_that_demands_a_force) {
   EXPECT_EQ(called, 0) << "in free space";
   ASSERT_EQ(counted(handle_at(0.23, {0.5, 0.1})).display, ph::display_class::approximate);
   EXPECT_EQ(called, 1);
-  ASSERT_EQ(counted(handle_at(0.23, {0, -0.5})).display, ph::display_class::none);
-  EXPECT_EQ(called, 2)
-      << "also where nothing can be displayed: a branch around a law costs more than the law";
-}
-
-TEST_F(skipping, a_wall_without_stiffness_needs_no_jacobian) {
-  ph::controller soft(counting_arm{&count}, ph::brakes_of<counting_arm>(),
-                      ph::scene(ph::wall(counting_wall{&count}, 0.0)), ph::direct_control{});
-  EXPECT_EQ(soft(handle_at(0.23, {0, 0.5})).wall_number, -1);
-  EXPECT_EQ(count.jacobian, 0);
-}
-
-TEST_F(skipping, a_held_scene_measures_no_distance_between_its_samples) {
-  ph::controller held(counting_arm{&count}, ph::brakes_of<counting_arm>(),
-                      ph::held_scene(ph::scene(ph::wall(counting_wall{&count})), 0.05), ph::direct_control{});
-  for (int k = 0; k < 500; ++k) {
-    state s = handle_at(0.23, {0.5, 0.5});
-    s.time = k * 1e-3;
-    held(s);
-  }
-  EXPECT_EQ(count.distance, 10);
-  EXPECT_EQ(count.gradient, 10);
-  EXPECT_EQ(count.jacobian, 500);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // A control loop whose states have the torques on brakes at rest.
 #include "../support.hpp"
 
-#include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/sensorless/torques_at_rest.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
@@ -103,23 +102,6 @@ TEST(torques_at_rest, are_the_exact_ones_beside_what_the_brakes_make_by_their_la
   EXPECT_GT(turned, 5);
 }
 
-// Brakes that can be switched off, and brakes without limit and lag.
-TEST(torques_at_rest, are_those_of_any_brakes_that_can_be_at_rest) {
-  ph::testing::random_source random(seed);
-  const device arm;
-  ph::switchable_brakes<device> off;
-  off.time_constant.setZero();
-  off.switch_off(1);
-  ph::torques_at_rest of_off(arm, off);
-  ph::torques_at_rest of_unlimited(arm, ph::unlimited_brake_parameters<double, 2>());
-  for (int k = 0; k < 50; ++k) {
-    const auto state = motion_with_rest(0, random);
-    const pair th = of_off.update(state, {0, 0.1}).hand_torque;
-    EXPECT_NE(th[0], 0);
-    EXPECT_NEAR(of_unlimited.update(state, {0, 0.1}).hand_torque[0], th[0], 1e-14 * (1 + std::abs(th[0])));
-  }
-}
-
 TEST(torques_at_rest, are_zero_where_none_is_at_rest_or_anything_is_no_number) {
   const ph::brakes_of<device> brakes;
   ph::testing::random_source random(seed);
@@ -138,6 +120,23 @@ TEST(torques_at_rest, are_zero_where_none_is_at_rest_or_anything_is_no_number) {
   bad.hand_force[1] = nan;
   EXPECT_EQ(rest.update(bad, pair::Zero()).hand_torque, pair(0, 0));
   EXPECT_NE(rest.update(state, pair::Zero()).hand_torque[0], 0);
+}
+
+// Brakes that can be switched off, and brakes without limit and lag.
+TEST(torques_at_rest, are_those_of_any_brakes_that_can_be_at_rest) {
+  ph::testing::random_source random(seed);
+  const device arm;
+  ph::switchable_brakes<device> off;
+  off.time_constant.setZero();
+  off.switch_off(1);
+  ph::torques_at_rest of_off(arm, off);
+  ph::torques_at_rest of_unlimited(arm, ph::unlimited_brake_parameters<double, 2>());
+  for (int k = 0; k < 50; ++k) {
+    const auto state = motion_with_rest(0, random);
+    const pair th = of_off.update(state, {0, 0.1}).hand_torque;
+    EXPECT_NE(th[0], 0);
+    EXPECT_NEAR(of_unlimited.update(state, {0, 0.1}).hand_torque[0], th[0], 1e-14 * (1 + std::abs(th[0])));
+  }
 }
 
 }  // namespace states_at_rest

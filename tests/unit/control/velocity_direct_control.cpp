@@ -75,13 +75,6 @@ TEST(velocity_direct_control, holds_a_handle_at_rest_in_a_corner) {
   EXPECT_LE((in_a_corner(p.rest_depth, 2 * sinking, v, -push) - expected).norm(), 1e-6);
 }
 
-// Deeper than it shall rest, it creeps in, so that neither brake can push it out.
-TEST(velocity_direct_control, lets_a_hand_pull_a_handle_at_rest_out_of_a_corner) {
-  const pair creep(-1e-3, -1e-3), pull(3, 3);
-  EXPECT_EQ(in_a_corner(4e-3, 2e-3, creep, pull), pair(0, 0));
-  EXPECT_GT(in_a_corner(4e-3, 1e-9, creep, pull).minCoeff(), 0) << "brakes that turn slow it down";
-}
-
 TEST(velocity_direct_control, never_holds_a_handle_that_leaves) {
   for (const double Fh : {-2.0, 0.0, 2.0}) {
     const auto leaving = once(law(), -constants().rest_depth, {0, 0.05}, {0, Fh});

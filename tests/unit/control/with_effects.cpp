@@ -45,18 +45,6 @@ TEST(end_stops_in_a_cycle, have_their_torques_where_the_brakes_can) {
   EXPECT_TRUE(control(state).capacity.isZero(0));
 }
 
-TEST(end_stops_in_a_cycle, hold_a_slide_with_their_torque_and_leave_the_other_alone) {
-  using M = ph::xy_table<double>;
-  const ph::end_stops<double, 2> stops({.lower = {0, -infinity}, .stiffness = {2, 0}});
-  ph::brakes_of<M> brakes;
-  brakes.torque_limit.setConstant(50);
-  ph::controller control(M(), brakes, ph::with_effects(ph::no_walls<2>(), stops), ph::direct_control());
-  for (const double depth : {0.25, 0.5, 1.0}) {
-    const auto result = control(ph::device_state<M>{0, {-depth, 0}, {-1, -1}, {0, 0}});
-    EXPECT_EQ(result.torque, ph::point<2>(2 * depth, 0));
-  }
-}
-
 const ph::wall the_floor(ph::half_space<2>({0, 0}, {0, 1}), 5e3);
 
 TEST(with_effects, lets_an_effect_be_changed_between_cycles) {

@@ -7,16 +7,12 @@
 #include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
-#include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/scene/world/scene_exchange.hpp>
-#include <passive_haptics/scene/world/world.hpp>
-#include <passive_haptics/testing/support/random.hpp>
 
-#include <cmath>
 #include <limits>
 
 namespace {
@@ -96,44 +92,12 @@ struct strict_law {
 
 TEST(with_effects, asks_no_law_in_free_space) {
   using M = ph::xy_table<double>;
-  const auto one = ph::scene(ground);
-  const auto two = ph::scene(ground, ground);
-  ph::controller first(M(), ph::brakes_of<M>(), ph::with_effects(one, drag_of(1)), strict_law());
-  ph::controller second(M(), ph::brakes_of<M>(), ph::with_effects(two, drag_of(1)), strict_law());
-  const ph::device_state<M> state{0, {0, 1}, {1, 1}, {0, 0}};
-  EXPECT_EQ(first(state).outcome, ph::status::ok);
-  EXPECT_EQ(second(state).outcome, ph::status::ok);
-  const auto free = second(state);
+  ph::controller control(M(), ph::brakes_of<M>(), ph::with_effects(ph::scene(ground, ground), drag_of(1)),
+                         strict_law());
+  const auto free = control(ph::device_state<M>{0, {0, 1}, {1, 1}, {0, 0}});
+  EXPECT_EQ(free.outcome, ph::status::ok);
   EXPECT_EQ(free.contact_count, 0);
   EXPECT_FALSE(free.contacts[0].has_priority) << "nothing was left";
-}
-
-// ---- What changes nothing
-
-TEST(with_effects, of_no_force_are_as_without_to_the_last_digit) {
-  using M = ph::tendon_two_link<double>;
-  ph::testing::random_source random(20040627);
-  const auto floor = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 50.0));  // far below the limits
-  for (const auto limits : {ph::saturation::keep_direction, ph::saturation::clamp_each}) {
-    ph::step_options<double> options;
-    options.limits = limits;
-    ph::controller plain(M(), ph::brakes_of<M>(), floor, ph::direct_control(), options);
-    ph::controller control(M(), ph::brakes_of<M>(), ph::with_effects(floor, drag_of(0)), ph::direct_control(),
-                           options);
-    int pressed = 0;
-    for (int k = 0; k < 300; ++k) {
-      const ph::device_state<M> state{k * 1e-3,
-                                      {random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)},
-                                      random.normal_vector<double, 2>(),
-                                      random.normal_vector<double, 2>()};
-      const auto without = plain(state);
-      const auto result = control(state);
-      if (without.saturated && limits == ph::saturation::clamp_each) continue;  // each brake was cut alone
-      ASSERT_EQ(result.torque, without.torque) << k;
-      pressed += !result.saturated && !result.torque.isZero(0);
-    }
-    EXPECT_GT(pressed, 30);
-  }
 }
 
 // A wall that demands nothing takes nothing from an effect along its normal.
@@ -147,6 +111,34 @@ TEST(with_effects, act_through_a_wall_that_asks_for_nothing) {
   const auto result = ph::step(M(), ph::unlimited_brakes(), ph::with_effects(touched, drag_of(2)),
                                ph::no_direct_control(), state_of<M>({0, 0}, {0, -1}), memory);
   EXPECT_EQ(result.torque, ph::point<2>(0, 2));
+}
+
+// What a scene remembers and reports goes through.
+TEST(with_effects, goes_around_a_scene) {
+  using M = ph::xy_table<double>;
+  ph::brakes_of<M> brakes;
+  brakes.torque_limit.setConstant(50);
+  ph::controller control(M(), brakes, ph::with_effects(ph::held_scene(ph::scene(ground), 0.01), drag_of(10)),
+                         ph::direct_control());
+  const ph::device_state<M> inside{0, {0, -1e-3}, {0.1, -0.1}, {0, -1}},
+      outside{1, {0, 1}, {0.1, -0.1}, {0, 0}};
+  const auto felt = control(inside);
+  EXPECT_EQ(felt.wall_number, 0);
+  expect_near(felt.torque, ph::vector<double, 2>(-1, 5), 5);
+  EXPECT_EQ(control.command(inside).capacity, felt.capacity);
+  control.reset();
+  expect_near(control(outside).torque, ph::vector<double, 2>(-1, 1), 1);
+  EXPECT_EQ(control(outside).wall_number, -1);
+}
+
+TEST(with_effects, says_what_its_scene_says) {
+  using M = ph::xy_table<double>;
+  ph::scene_exchange exchange(ph::scene(ground), 0.0);
+  ph::controller control(M(), ph::brakes_of<M>(),
+                         ph::with_effects(ph::latest_scene(exchange, {.stale_after = 0.1}), drag_of(1)),
+                         ph::direct_control());
+  EXPECT_EQ(control(ph::device_state<M>{0.05, {0, 1}, {1, 1}, {0, 0}}).outcome, ph::status::ok);
+  EXPECT_EQ(control(ph::device_state<M>{0.2, {0, 1}, {1, 1}, {0, 0}}).outcome, ph::status::scene_stale);
 }
 
 // Forces of effects that are barely numbers, of a spatial device, whose torques are found by scaling.
@@ -172,46 +164,6 @@ TEST(effects_beside_a_wall, of_velocities_near_overflow_give_a_status_or_torques
   }
   EXPECT_GT(faults, 3);
   EXPECT_GT(steps, 3);
-}
-
-// ---- scenes
-
-TEST(with_effects, goes_around_every_scene) {
-  using M = ph::xy_table<double>;
-  ph::brakes_of<M> brakes;
-  brakes.torque_limit.setConstant(50);
-  const auto field = drag_of(10);
-  const ph::device_state<M> inside{0, {0, -1e-3}, {0.1, -0.1}, {0, -1}},
-      outside{0, {0, 1}, {0.1, -0.1}, {0, 0}};
-  const auto expect_both = [&](auto scene) {
-    ph::controller control(M(), brakes, ph::with_effects(scene, field), ph::direct_control());
-    const auto felt = control(inside);
-    EXPECT_EQ(felt.outcome, ph::status::ok);
-    EXPECT_EQ(felt.wall_number, 0);
-    expect_near(felt.torque, ph::vector<double, 2>(-1, 5), 5);
-    EXPECT_EQ(control.command(inside).capacity, felt.capacity);
-    control.reset();
-    auto later = outside;
-    later.time = 1;
-    expect_near(control(later).torque, ph::vector<double, 2>(-1, 1), 1);
-    EXPECT_EQ(control(later).wall_number, -1);
-  };
-  ph::world_walls<2> walls;
-  walls.add(ground);
-  ph::scene_exchange<ph::world<2>> exchange(ph::world<2>(walls), 0.0);
-  expect_both(ph::scene(ground, ph::wall(ph::half_space<2>({0, 9}, {0, -1}))));
-  expect_both(ph::held_scene(ph::scene(ground), 0.01));
-  expect_both(ph::latest_scene(exchange, {.stale_after = 2}));
-}
-
-TEST(with_effects, says_what_its_scene_says) {
-  using M = ph::xy_table<double>;
-  ph::scene_exchange exchange(ph::scene(ground), 0.0);
-  ph::controller control(M(), ph::brakes_of<M>(),
-                         ph::with_effects(ph::latest_scene(exchange, {.stale_after = 0.1}), drag_of(1)),
-                         ph::direct_control());
-  EXPECT_EQ(control(ph::device_state<M>{0.05, {0, 1}, {1, 1}, {0, 0}}).outcome, ph::status::ok);
-  EXPECT_EQ(control(ph::device_state<M>{0.2, {0, 1}, {1, 1}, {0, 0}}).outcome, ph::status::scene_stale);
 }
 
 }  // namespace

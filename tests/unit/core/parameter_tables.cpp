@@ -30,19 +30,18 @@ struct spring {
   }
 };
 
-template <class T>
 struct machine {
-  T mass = T(0.5);
-  ph::vector<T, 2> limit{1, 2};
-  ph::matrix<T, 2, 2> gain = ph::matrix<T, 2, 2>::Identity();
+  double mass = 0.5;
+  ph::vector<double, 2> limit{1, 2};
+  ph::matrix<double, 2, 2> gain = ph::matrix<double, 2, 2>::Identity();
   std::array<spring, 2> springs{};
-  std::array<ph::vector<T, 2>, 2> corners{ph::vector<T, 2>(0, 0), ph::vector<T, 2>(1, 1)};
+  std::array<ph::vector<double, 2>, 2> corners{ph::vector<double, 2>(0, 0), ph::vector<double, 2>(1, 1)};
   std::array<double, 1> turn{1};
   int cycles = 3;
   std::uint64_t seed = 1;
   bool on = true;
   std::string name = "bench";
-  T unlisted = T(0);
+  double unlisted = 0;
 
   static constexpr auto members() {
     using p = machine;
@@ -54,53 +53,46 @@ struct machine {
         member("cycles", &p::cycles, "", range::at_least(1)).suspicious_above(1000), member("seed", &p::seed),
         member("on", &p::on), member("name", &p::name));
   }
-  std::string rules() const { return mass > 100 * T(cycles) ? "too heavy, expected less" : ""; }
+  std::string rules() const { return mass > 100 * cycles ? "too heavy, expected less" : ""; }
 };
 
-template <class T>
-struct parameter_table : ::testing::Test {
-  static constexpr T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
 
-  template <class Change>
-  static std::string error(Change change) {
-    machine<T> m;
-    change(m);
-    return ph::validate(m);
-  }
-};
-TYPED_TEST_SUITE(parameter_table, scalars);
+// Of a machine that was changed.
+template <class Change>
+std::string error(Change change) {
+  machine m;
+  change(m);
+  return ph::validate(m);
+}
 
-TYPED_TEST(parameter_table, names_each_wrong_value_where_it_stands) {
-  using fixture = parameter_table<TypeParam>;
-  EXPECT_EQ(fixture::error([](auto&) {}), "");
-  EXPECT_EQ(fixture::error([](auto& m) { m.mass = -1; }), "mass [kg] = -1, expected a finite number > 0");
-  EXPECT_EQ(fixture::error([](auto& m) { m.mass = fixture::nan; }),
-            "mass [kg] = nan, expected a finite number > 0");
-  EXPECT_EQ(fixture::error([](auto& m) { m.limit[1] = -fixture::infinity; }),
-            "limit[1] [N] = -inf, expected a finite number");
-  EXPECT_EQ(fixture::error([](auto& m) { m.gain(1, 0) = fixture::nan; }),
-            "gain(1, 0) [1] = nan, expected a finite number");
-  EXPECT_EQ(fixture::error([](auto& m) { m.springs[1].stiffness = -2; }),
+TEST(parameter_table, names_each_wrong_value_where_it_stands) {
+  EXPECT_EQ(error([](auto&) {}), "");
+  EXPECT_EQ(error([](auto& m) { m.mass = -1; }), "mass [kg] = -1, expected a finite number > 0");
+  EXPECT_EQ(error([](auto& m) { m.mass = nan; }), "mass [kg] = nan, expected a finite number > 0");
+  EXPECT_EQ(error([](auto& m) { m.limit[1] = -infinity; }), "limit[1] [N] = -inf, expected a finite number");
+  EXPECT_EQ(error([](auto& m) { m.gain(1, 0) = nan; }), "gain(1, 0) [1] = nan, expected a finite number");
+  EXPECT_EQ(error([](auto& m) { m.springs[1].stiffness = -2; }),
             "springs[1].stiffness of a spring [N/m] = -2, expected a finite number >= 0");
-  EXPECT_EQ(fixture::error([](auto& m) { m.springs[0].direction = {0, 0}; }),
+  EXPECT_EQ(error([](auto& m) { m.springs[0].direction = {0, 0}; }),
             "|springs[0].direction| of a spring = 0, expected a direction");
-  EXPECT_EQ(fixture::error([](auto& m) { m.corners[1][0] = fixture::nan; }),
+  EXPECT_EQ(error([](auto& m) { m.corners[1][0] = nan; }),
             "corners[1][0] [m] = nan, expected a finite number");
-  EXPECT_EQ(fixture::error([](auto& m) { m.cycles = 0; }), "cycles = 0, expected a whole number >= 1");
-  EXPECT_EQ(fixture::error([](auto& m) { m.unlisted = fixture::nan; }), "");
-  EXPECT_EQ(fixture::error([](auto& m) { m.mass = fixture::infinity, m.cycles = 0; }),
+  EXPECT_EQ(error([](auto& m) { m.cycles = 0; }), "cycles = 0, expected a whole number >= 1");
+  EXPECT_EQ(error([](auto& m) { m.unlisted = nan; }), "");
+  EXPECT_EQ(error([](auto& m) { m.mass = infinity, m.cycles = 0; }),
             "mass [kg] = inf, expected a finite number > 0")
       << "the first of them";
-  EXPECT_EQ(fixture::error([](auto& m) { m.mass = 301; }), "too heavy, expected less")
-      << "rules() of valid members";
-  machine<TypeParam> wrong;
+  EXPECT_EQ(error([](auto& m) { m.mass = 301; }), "too heavy, expected less") << "rules() of valid members";
+  machine wrong;
   wrong.cycles = -1;
   EXPECT_EQ(thrown_by([&] { ph::require_valid(wrong); }),
             "passive_haptics: cycles = -1, expected a whole number >= 1");
 }
 
-TYPED_TEST(parameter_table, finds_values_of_no_device_by_magnitude_and_names_them) {
-  machine<TypeParam> m;
+TEST(parameter_table, finds_values_of_no_device_by_magnitude_and_names_them) {
+  machine m;
   std::string all;
   const auto find = [&] {
     all.clear();
@@ -112,20 +104,20 @@ TYPED_TEST(parameter_table, finds_values_of_no_device_by_magnitude_and_names_the
   m.limit << 50, 0;
   m.cycles = 1000;
   EXPECT_EQ(find(), "");
-  m.limit << TypeParam(50.5), -this->infinity;
+  m.limit << 50.5, -infinity;
   m.cycles = std::numeric_limits<int>::min();
   EXPECT_EQ(find(),
             "limit limit[0] [N] = 50.5, expected at most 50\nlimit limit[1] [N] = -inf, expected at most 50\n"
             "cycles cycles = -2147483648, expected at most 1000\n");
-  m.limit << TypeParam(0.25), TypeParam(-0.25);
+  m.limit << 0.25, -0.25;
   m.cycles = 1;
   EXPECT_EQ(find(),
             "limit limit[0] [N] = 0.25, expected at least 0.5\nlimit limit[1] [N] = -0.25, expected at least "
             "0.5\n");
   // By its unit; a component of a point may be any rounding of 0
   m = {};
-  m.mass = TypeParam(1e30);
-  m.corners[0] << TypeParam(6e-17), 150;
+  m.mass = 1e30;
+  m.corners[0] << 6e-17, 150;
   m.turn[0] = 90;
   EXPECT_EQ(
       find(),
@@ -133,12 +125,12 @@ TYPED_TEST(parameter_table, finds_values_of_no_device_by_magnitude_and_names_the
       "turn turn[0] [rad] = 90, expected at most 6.28319; this looks like degrees: in radians it is "
       "1.5708\n");
   m = {};
-  m.limit << this->nan, 0;
+  m.limit << nan, 0;
   EXPECT_EQ(find(), "") << "a NaN is wrong, not large";
 }
 
-TYPED_TEST(parameter_table, remarks_on_what_looks_like_another_unit) {
-  machine<TypeParam> m;
+TEST(parameter_table, remarks_on_what_looks_like_another_unit) {
+  machine m;
   EXPECT_EQ(ph::remarks(m), "");
   m.mass = 1000;  // of which nothing is said
   m.springs[0].stiffness = 0;
@@ -156,8 +148,8 @@ TYPED_TEST(parameter_table, remarks_on_what_looks_like_another_unit) {
   EXPECT_EQ(ph::remarks(m), "");
 }
 
-TYPED_TEST(parameter_table, lists_all_values) {
-  EXPECT_EQ(ph::to_text(machine<TypeParam>()),
+TEST(parameter_table, lists_all_values) {
+  EXPECT_EQ(ph::to_text(machine()),
             "mass [kg] = 0.5\nlimit[0] [N] = 1\nlimit[1] [N] = 2\n"
             "gain(0, 0) [1] = 1\ngain(0, 1) [1] = 0\ngain(1, 0) [1] = 0\ngain(1, 1) [1] = 1\n"
             "springs[0].stiffness of a spring [N/m] = 100\nsprings[0].direction[0] of a spring [1] = 3\n"
@@ -169,16 +161,15 @@ TYPED_TEST(parameter_table, lists_all_values) {
             "name = \"bench\"\n");
 }
 
-TYPED_TEST(parameter_table, gives_members_to_read_and_to_write) {
-  using T = TypeParam;
-  machine<T> m;
+TEST(parameter_table, gives_members_to_read_and_to_write) {
+  machine m;
   ph::for_each_member(m, [](const auto& described, auto& value) {
-    if constexpr (std::is_same_v<decltype(value), T&>) {
+    if constexpr (std::is_same_v<decltype(value), double&>) {
       EXPECT_STREQ(described.name, "mass");
-      value = T(7);
+      value = 7.0;
     }
   });
-  EXPECT_EQ(m.mass, T(7));
+  EXPECT_EQ(m.mass, 7.0);
   int count = 0;
   ph::for_each_member(std::as_const(m), [&](const auto&, const auto&) { ++count; });
   EXPECT_EQ(count, 10);

@@ -125,25 +125,6 @@ TEST(design_map, of_a_path_at_the_middles_of_its_parts) {
             ph::status::state_not_finite);
 }
 
-TEST(design_map, with_brakes_that_are_off_or_have_motors) {
-  const table device;
-  ph::task_points<table> points;
-  const V n(0.6, 0.8), t(0.8, -0.6);
-  for (int k = 0; k < 4; ++k) points.append(device, {V(0, 0), t, n});
-  auto off = limits(1, 2);
-  off.switch_off(1);
-  const ph::design_map without_y(device, points, off, 0.5);
-  const ph::design_map with_motors(device, points, {limits(1, 2), V(0.25, 0.25)}, 1.7);
-  for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_EQ(without_y.display[k], ph::display_class::none);
-    EXPECT_NEAR(without_y.sink_slope[k], 4.0 / 3, 1e-15);
-    EXPECT_NEAR(with_motors.max_force[k], 0.8 * 2 + 0.6 * 0.25, 1e-15);
-    EXPECT_EQ(with_motors.sink_slope[k], 0);
-    EXPECT_EQ(with_motors.display[k], ph::display_class::approximate)
-        << "the classes are those of the brakes";
-  }
-}
-
 template <class F>
 std::string message_of(const F& f) {
   try {

@@ -1,8 +1,7 @@
-// slow, optimised
+// slow
 // Maps in closed form against the figures point by point; the share of exact display over all directions.
 #include <passive_haptics/design/map/design_map.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
-#include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -111,7 +110,6 @@ TEST(design_map_points, of_devices_with_a_closed_form) {
     expect_the_figures_of_each_point(mechanism, off, 600);
   };
   compare(ph::tendon_two_link<double>());
-  compare(ph::five_bar<double>());
   compare(arm_of_ones_own());
 }
 

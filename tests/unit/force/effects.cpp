@@ -116,7 +116,7 @@ TEST(an_effect, takes_energy) {
 }
 
 TEST(an_effect, is_zero_at_rest_without_a_hand) {
-  for_each_effect<double, 2>([](const char* name, const auto& effect) {
+  for_each_effect<double, 3>([](const char* name, const auto& effect) {
     using E = std::remove_cvref_t<decltype(effect)>;
     random_source random(seed);
     const vector_of<E> zero = vector_of<E>::Zero();
@@ -146,7 +146,7 @@ TEST(an_effect, is_continuous_without_a_hand) {
 }
 
 TEST(an_effect, of_a_nan_is_not_silent) {
-  for_each_effect<double, 2>([](const char* name, const auto& effect) {
+  for_each_effect<double, 3>([](const char* name, const auto& effect) {
     using E = std::remove_cvref_t<decltype(effect)>;
     const vector_of<E> lost = vector_of<E>::Constant(std::numeric_limits<double>::quiet_NaN());
     for (const double speed : {-1.0, 0.0, 1.0}) {
@@ -154,7 +154,7 @@ TEST(an_effect, of_a_nan_is_not_silent) {
       const bool position_matters = name[0] != 'v' && name[0] != 'w';
       EXPECT_TRUE(!position_matters || effect.force(lost, v, zero).hasNaN()) << name << ", speed " << speed;
     }
-    EXPECT_TRUE(effect.force(vector_of<E>(0.3, 0.4), lost, vector_of<E>::Zero()).hasNaN()) << name;
+    EXPECT_TRUE(effect.force(vector_of<E>::Constant(0.3), lost, vector_of<E>::Zero()).hasNaN()) << name;
   });
 }
 

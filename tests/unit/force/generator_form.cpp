@@ -117,22 +117,6 @@ TEST(generator_form, ends_at_the_largest_angle) {
             ph::display_class::none);
 }
 
-// Beyond space; the third and the fourth generator differ by little and their torques are long.
-TEST(generator_form, in_four_dimensions_is_exact_where_torques_are_long) {
-  using four = ph::vector<double, 4>;
-  const ph::matrix<double, 4, 4> axes = four(1, 2, 4, 8).asDiagonal();
-  const auto each = ph::nearest_torque(axes, four(-1, -1, 1, 1), four(3, -4, 4, -4));
-  EXPECT_EQ(each.torque, four(3, 0, 0, -0.5));
-  EXPECT_EQ(each.force, four(3, 0, 0, -4));
-
-  ph::matrix<double, 4, 4> G = axes;
-  G.col(2) << 7e7, 0.1, 0.3, 1;
-  G.col(3) << -3e7, 0.2, 0.7, -1;
-  const four n = (G * four(0.1, 0.1, 0.3, 0.7)).normalized();
-  const auto F = ph::approximate_by_generators(G, four(-1, -1, -1, -1), n, 0.0);
-  EXPECT_EQ(F.display, ph::display_class::exact) << F.force.transpose() << "\n" << n.transpose();
-}
-
 TEST(torque_box, leaves_a_brake_at_rest_free_within_its_limit) {
   const auto box = ph::torques_within<double, 3>({1, -1, 0}, {2, 3, 4});
   EXPECT_EQ(box.lower, (ph::vector<double, 3>(-2, 0, -4)));

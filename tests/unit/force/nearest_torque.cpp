@@ -1,6 +1,6 @@
 // slow
 // Redundant brakes at the corners: brakes that are alike, at rest, dead or infinite, within limits or none.
-#include <passive_haptics/force/torques/nearest_torque.hpp>
+#include <passive_haptics/force/forms/generator_form.hpp>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,7 @@ namespace {
 using pair = ph::vector<double, 2>;
 using three = ph::vector<double, 3>;
 constexpr double inf = std::numeric_limits<double>::infinity();
+const ph::vector<double, 5> five = -ph::vector<double, 5>::Ones();
 
 TEST(nearest_torque, is_shared_by_brakes_that_are_alike) {
   const ph::matrix<double, 2, 4> G{{1, 2, 0, 0}, {0, 0, 1, 1}};
@@ -26,7 +27,6 @@ TEST(nearest_torque, is_shared_by_brakes_that_are_alike) {
   EXPECT_TRUE(torque(1, -1).isApprox(ph::vector<double, 4>(0.2, 0.4, 0, 0), 1e-15));
   EXPECT_TRUE(torque(1, 1).isApprox(ph::vector<double, 4>(0.2, 0.4, 0.5, 0.5), 1e-15));
   const ph::matrix<double, 3, 5> H{{1, 2, 0, 0, 1}, {0, 0, 1, 1, 1}, {0, 0, 0, 0, 0}};
-  const ph::vector<double, 5> five = -ph::vector<double, 5>::Ones();
   const auto t = ph::nearest_torque<double, 3, 5>(H, five, {1, 1, 1});  // Gram matrix {6, 1}, {1, 3}
   EXPECT_TRUE(t.force.isApprox(three(1, 1, 0), 1e-15));
   EXPECT_TRUE(t.torque.isApprox(ph::vector<double, 5>(2, 4, 5, 5, 7) / 17, 1e-14));
@@ -49,7 +49,7 @@ TEST(nearest_torque, is_zero_where_nothing_can_be_made) {
     const auto t = ph::nearest_torque<double, 2, 3>(ph::matrix<double, 2, 3>::Constant(bad), s, {0.6, 0.8});
     EXPECT_TRUE(t.torque.isZero(0) && t.force.isZero(0)) << bad;
     const auto u =
-        ph::nearest_torque<double, 3, 3>(ph::matrix<double, 3, 3>::Constant(bad), s, {0, 0.6, 0.8});
+        ph::nearest_torque<double, 3, 5>(ph::matrix<double, 3, 5>::Constant(bad), five, {0, 0.6, 0.8});
     EXPECT_TRUE(u.torque.isZero(0) && u.force.isZero(0)) << bad;
   }
 }
@@ -117,6 +117,22 @@ TEST(nearest_torque, of_a_diagonal_is_that_of_each_axis) {
   EXPECT_EQ(t.force, pair(3, 0));
   EXPECT_EQ(ph::nearest_torque(G, ph::torques_within<double, 2>({0, 0}, {1, 5}), pair(3, 4)).torque,
             pair(1, -5));
+}
+
+// Beyond space; the third and the fourth generator differ by little and their torques are long.
+TEST(nearest_torque, in_four_dimensions_is_exact_where_torques_are_long) {
+  using four = ph::vector<double, 4>;
+  const ph::matrix<double, 4, 4> axes = four(1, 2, 4, 8).asDiagonal();
+  const auto each = ph::nearest_torque(axes, four(-1, -1, 1, 1), four(3, -4, 4, -4));
+  EXPECT_EQ(each.torque, four(3, 0, 0, -0.5));
+  EXPECT_EQ(each.force, four(3, 0, 0, -4));
+
+  ph::matrix<double, 4, 4> G = axes;
+  G.col(2) << 7e7, 0.1, 0.3, 1;
+  G.col(3) << -3e7, 0.2, 0.7, -1;
+  const four n = (G * four(0.1, 0.1, 0.3, 0.7)).normalized();
+  const auto F = ph::approximate_by_generators(G, four(-1, -1, -1, -1), n, 0.0);
+  EXPECT_EQ(F.display, ph::display_class::exact) << F.force.transpose() << "\n" << n.transpose();
 }
 
 }  // namespace

@@ -12,8 +12,7 @@
 namespace {
 
 TEST(wall_following_run, samples_fit_together) {
-  using T = double;
-  auto e = tendon_device<T>(T(0.02));
+  auto e = tendon_device<double>(0.02);
   auto control = e.controller(ph::direct_control(), 1000);
   ph::wall_following_parameters p;
   p.max_duration = 0.1;
@@ -24,12 +23,12 @@ TEST(wall_following_run, samples_fit_together) {
     time += 1e-4;
     EXPECT_NEAR(s.time, time, 1e-9);
     EXPECT_EQ(s.position, e.device.position());
-    EXPECT_EQ(s.depth, -wall.distance(s.position.template cast<double>()));
+    EXPECT_EQ(s.depth, -wall.distance(s.position));
     EXPECT_EQ(s.hand_force, e.device.sensed_force()) << "no filter in between";
     EXPECT_EQ(s.rates, e.device.rates());
-    const ph::vector<T, 2> t = ph::brake_jacobian(e.arm, e.device.q()).transpose() * s.brake_force;
+    const ph::vector<double, 2> t = ph::brake_jacobian(e.arm, e.device.q()).transpose() * s.brake_force;
     EXPECT_LE((t - s.brake_torque).norm(),
-              ph::rounding_tolerance<T>(64) * (s.brake_torque.norm() + s.brake_force.norm()));
+              ph::rounding_tolerance<double>(64) * (s.brake_torque.norm() + s.brake_force.norm()));
     EXPECT_TRUE((s.control->capacity.array() >= 0).all());
     braked |= s.brake_torque.norm() > 0;
   });
@@ -110,22 +109,6 @@ TEST(wall_following_run, figures_count_the_energy_of_the_brakes) {
   EXPECT_LE(figures.max_brake_power, 1e-15);
   EXPECT_LE(power, 1e-15);
   EXPECT_LE(std::abs(e.device.energy().imbalance()), 1e-13 * e.device.energy().hand);
-}
-
-// Not only step_result: what has a capacity is a decision.
-TEST(wall_following_run, any_decision_with_a_capacity_will_do) {
-  struct decision {
-    ph::vector<double, 2> capacity;
-    int cycle;
-  };
-  auto e = table<double>();
-  ph::wall_following_parameters p = with_slides();
-  p.max_duration = 0.01;
-  int cycles = 0, last = 0;
-  ph::follow_wall(
-      e.device, [&](const auto&) { return decision{{0, 0}, ++cycles}; }, wall, e.hand, p,
-      [&](const auto& s) { last = s.control->cycle; });
-  EXPECT_EQ(last, 10);
 }
 
 // An arm with one joint too many. Its brakes' force at the handle is that which would accelerate the handle

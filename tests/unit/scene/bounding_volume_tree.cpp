@@ -1,6 +1,5 @@
 // A tree of boxes finds what a scan over all boxes finds, all at once or a little at a time.
-#include "../../tested_types.hpp"
-
+// In three dimensions: world_memory.cpp.
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -33,33 +32,25 @@ std::vector<ph::bounding_box<D>> random_boxes(int count, ph::testing::random_sou
   return boxes;
 }
 
-template <class Dimension>
-struct tree : ::testing::Test {
-  static constexpr int dimension = Dimension::value;
-};
-using dimensions = tested_types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(tree, dimensions);
-
-TYPED_TEST(tree, finds_every_box_within_a_radius_once_and_few_others) {
-  constexpr int D = TestFixture::dimension;
+TEST(tree, finds_every_box_within_a_radius_once_and_few_others) {
   ph::testing::random_source random(tree_seed);
   long visited = 0, wanted = 0;
   for (const int count : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 100, 1000}) {
-    const auto boxes = random_boxes<D>(count, random);
-    const ph::bounding_volume_tree<D> all(boxes);
+    const auto boxes = random_boxes<2>(count, random);
+    const ph::bounding_volume_tree<2> all(boxes);
     EXPECT_EQ(all.size(), boxes.size());
     for (int k = 0; k < 50; ++k) {
-      const ph::point<D> x = 1.5 * random.normal_vector<double, D>();
+      const ph::point<2> x = 1.5 * random.normal_vector<double, 2>();
       const double radius = k == 0 ? everything : random.positive(1e-3, 3.0);
       std::vector<int> found(boxes.size());
-      all.visit_within(ph::squared_distance_from<D>(x), radius * radius, [&](int place, double bound) {
+      all.visit_within(ph::squared_distance_from<2>(x), radius * radius, [&](int place, double bound) {
         const int item = all.item(place);
         ++found[static_cast<std::size_t>(item)];
-        ASSERT_LE(bound, squared_distance<D>(boxes[static_cast<std::size_t>(item)], x))
+        ASSERT_LE(bound, squared_distance<2>(boxes[static_cast<std::size_t>(item)], x))
             << "seed " << tree_seed << ", box " << item;
       });
       for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const bool within = squared_distance<D>(boxes[i], x) <= radius * radius;
+        const bool within = squared_distance<2>(boxes[i], x) <= radius * radius;
         ASSERT_LE(found[i], 1);
         ASSERT_GE(found[i], within ? 1 : 0) << "seed " << tree_seed << ", box " << i;
         visited += found[i];
@@ -70,16 +61,15 @@ TYPED_TEST(tree, finds_every_box_within_a_radius_once_and_few_others) {
   EXPECT_LT(visited, 2 * wanted);
 }
 
-TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
-  constexpr int D = TestFixture::dimension;
+TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
   ph::testing::random_source random(tree_seed);
-  const auto boxes = random_boxes<D>(1000, random);
-  const ph::bounding_volume_tree<D> all(boxes);
+  const auto boxes = random_boxes<2>(1000, random);
+  const ph::bounding_volume_tree<2> all(boxes);
   int all_looks = 0;
   for (int k = 0; k < 100; ++k) {
-    const ph::point<D> x = 3 * random.normal_vector<double, D>();
+    const ph::point<2> x = 3 * random.normal_vector<double, 2>();
     double limit = everything;
-    const auto bound = ph::squared_distance_from<D>(x);
+    const auto bound = ph::squared_distance_from<2>(x);
     auto search = all.start();
     int looks = 0;
     for (; !search.done(); ++looks)
@@ -87,11 +77,11 @@ TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
           search, bound, limit,
           [&](int place, double) {
             const auto& box = boxes[static_cast<std::size_t>(all.item(place))];
-            limit = std::min(limit, squared_distance<D>(box, x));
+            limit = std::min(limit, squared_distance<2>(box, x));
           },
           1);
     double nearest = everything;
-    for (const auto& b : boxes) nearest = std::min(nearest, squared_distance<D>(b, x));
+    for (const auto& b : boxes) nearest = std::min(nearest, squared_distance<2>(b, x));
     EXPECT_EQ(limit, nearest) << "seed " << tree_seed << ", point " << k;
     EXPECT_LE(looks, 120) << "most nodes are not looked at";
     all_looks += looks;
@@ -100,11 +90,10 @@ TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
 }
 
 // Wherever it has got to, a copy goes on to the same items.
-TYPED_TEST(tree, a_search_is_copied_with_what_is_left_of_it) {
-  constexpr int D = TestFixture::dimension;
+TEST(tree, a_search_is_copied_with_what_is_left_of_it) {
   ph::testing::random_source random(tree_seed);
-  const ph::bounding_volume_tree<D> all(random_boxes<D>(300, random));
-  const auto bound = ph::squared_distance_from<D>(ph::point<D>::Zero());
+  const ph::bounding_volume_tree<2> all(random_boxes<2>(300, random));
+  const auto bound = ph::squared_distance_from<2>(ph::point<2>::Zero());
   auto search = all.start();
   double limit = 1;
   while (!search.done()) {
@@ -145,50 +134,48 @@ std::vector<ph::bounding_box<D>> ever_closer(int axis, bool furthest_first) {
   return boxes;
 }
 
-TYPED_TEST(tree, leads_to_a_place_by_as_many_nodes_as_it_is_deep) {
-  constexpr int D = TestFixture::dimension, levels = 4;  // of 500 items, up to four in a leaf
-  for (int axis = 0; axis < D; ++axis) {
+TEST(tree, leads_to_a_place_by_as_many_nodes_as_it_is_deep) {
+  constexpr int levels = 4;  // of 500 items, up to four in a leaf
+  for (int axis = 0; axis < 2; ++axis) {
     for (const bool furthest_first : {false, true}) {
-      const auto boxes = ever_closer<D>(axis, furthest_first);
-      const ph::bounding_volume_tree<D> all(boxes);
+      const auto boxes = ever_closer<2>(axis, furthest_first);
+      const ph::bounding_volume_tree<2> all(boxes);
       int nodes = 0;
-      for (const auto& box : boxes) nodes += opened<D>(all, box.lower, 99);
+      for (const auto& box : boxes) nodes += opened<2>(all, box.lower, 99);
       EXPECT_EQ(nodes, 500 * levels) << "axis " << axis;
-      for (const int budget : {1, 2, 3}) EXPECT_EQ(opened<D>(all, boxes[300].lower, budget), budget);
+      for (const int budget : {1, 2, 3}) EXPECT_EQ(opened<2>(all, boxes[300].lower, budget), budget);
     }
   }
 }
 
 // In float, too, the box that is searched holds the box.
-TYPED_TEST(tree, finds_a_box_at_its_very_distance) {
-  constexpr int D = TestFixture::dimension;
+TEST(tree, finds_a_box_at_its_very_distance) {
   ph::testing::random_source random(tree_seed);
-  const auto finds = [](const ph::bounding_box<D>& box, const ph::point<D>& x) {
+  const auto finds = [](const ph::bounding_box<2>& box, const ph::point<2>& x) {
     int found = 0;
-    ph::bounding_volume_tree<D>({box}).visit_within(
-        ph::squared_distance_from<D>(x), squared_distance<D>(box, x), [&](int, double) { ++found; });
+    ph::bounding_volume_tree<2>({box}).visit_within(
+        ph::squared_distance_from<2>(x), squared_distance<2>(box, x), [&](int, double) { ++found; });
     return found;
   };
   for (int k = 0; k < 2000; ++k) {
-    const auto boxes = random_boxes<D>(1, random);
-    EXPECT_EQ(finds(boxes[0], 3 * random.normal_vector<double, D>()), 1)
+    const auto boxes = random_boxes<2>(1, random);
+    EXPECT_EQ(finds(boxes[0], 3 * random.normal_vector<double, 2>()), 1)
         << "seed " << tree_seed << ", box " << k;
-    const ph::point<D> corner = random.positive(1e-20, 1e20) * random.normal_vector<double, D>();
+    const ph::point<2> corner = random.positive(1e-20, 1e20) * random.normal_vector<double, 2>();
     EXPECT_EQ(finds({corner, corner}, corner), 1) << corner.transpose();
   }
 }
 
 // On the axis on which all lie, the box about some is as far as the nearest of them.
-TYPED_TEST(tree, opens_no_node_that_is_further_than_the_limit) {
-  constexpr int D = TestFixture::dimension;
-  const ph::bounding_volume_tree<D> all(ever_closer<D>(0, true));
+TEST(tree, opens_no_node_that_is_further_than_the_limit) {
+  const ph::bounding_volume_tree<2> all(ever_closer<2>(0, true));
   ph::testing::random_source random(tree_seed);
   for (int k = 0; k < 200; ++k) {
-    const ph::point<D> x = random.uniform(-1.0, 2.0) * ph::point<D>::UnitX();
-    const auto distance = ph::squared_distance_from<D>(x);
+    const ph::point<2> x = random.uniform(-1.0, 2.0) * ph::point<2>::UnitX();
+    const auto distance = ph::squared_distance_from<2>(x);
     const double limit = random.positive(1e-3, 2.0);
     bool root = true;
-    const auto bound = [&](const ph::four_outer_boxes<D>& boxes) {
+    const auto bound = [&](const ph::four_outer_boxes<2>& boxes) {
       const auto squared = distance(boxes);
       double nearest = everything;
       for (int i = 0; i < 4; ++i) nearest = std::min(nearest, double(squared[i]));
@@ -215,15 +202,14 @@ void add_lopsided(double lower, double upper, int count, std::vector<double>& pl
 }
 
 // No branch has more than 3/7 of its node's items: after five there are at most four left of 276.
-TYPED_TEST(tree, is_as_deep_as_it_says_at_most) {
-  constexpr int D = TestFixture::dimension;
+TEST(tree, is_as_deep_as_it_says_at_most) {
   std::vector<double> places;
   add_lopsided(0, 1, 276, places);
-  std::vector<ph::bounding_box<D>> boxes;
-  for (const double at : places) boxes.push_back(ph::box_about<D>(at * ph::point<D>::UnitX(), 0));
-  const ph::bounding_volume_tree<D> all(boxes);
+  std::vector<ph::bounding_box<2>> boxes;
+  for (const double at : places) boxes.push_back(ph::box_about<2>(at * ph::point<2>::UnitX(), 0));
+  const ph::bounding_volume_tree<2> all(boxes);
   int max_depth = 0;
-  for (const auto& box : boxes) max_depth = std::max(max_depth, opened<D>(all, box.lower, 99));
+  for (const auto& box : boxes) max_depth = std::max(max_depth, opened<2>(all, box.lower, 99));
   EXPECT_LE(max_depth, 5);
 }
 
@@ -246,11 +232,10 @@ TEST(a_bounding_box, grows) {
   EXPECT_EQ(box.grown(0.25).upper, ph::point<2>(1.25, 3.25));
 }
 
-TYPED_TEST(tree, of_equal_boxes_is_balanced) {
-  constexpr int D = TestFixture::dimension;
-  const std::vector<ph::bounding_box<D>> boxes(10'000, ph::box_about<D>(ph::point<D>::Zero(), 1));
+TEST(tree, of_equal_boxes_is_balanced) {
+  const std::vector<ph::bounding_box<2>> boxes(10'000, ph::box_about<2>(ph::point<2>::Zero(), 1));
   int found = 0;
-  ph::bounding_volume_tree<D>(boxes).visit_within(ph::squared_distance_from<D>(ph::point<D>::Zero()), 0.0,
+  ph::bounding_volume_tree<2>(boxes).visit_within(ph::squared_distance_from<2>(ph::point<2>::Zero()), 0.0,
                                                   [&](int, double) { ++found; });
   EXPECT_EQ(found, 10'000);
 }

@@ -107,8 +107,8 @@ class wandering_hand {
 };
 
 // The same walls, depths and normals to the last bit.
-template <int D, int Capacity>
-bool same(const ph::contacts<D, Capacity>& a, const ph::contacts<D, Capacity>& b) {
+template <int D, int A, int B>
+bool same(const ph::contacts<D, A>& a, const ph::contacts<D, B>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& c, const auto& e) {
     return c.wall_number == e.wall_number && c.depth == e.depth && c.normal == e.normal &&
            c.stiffness == e.stiffness && c.sensed_at == e.sensed_at && c.curvature == e.curvature &&

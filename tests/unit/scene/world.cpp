@@ -1,6 +1,6 @@
 // optimised
-// A world of many walls is touched where a look at each of them says so, however few it looks at.
-#include "../../tested_types.hpp"
+// A world of many walls is touched where a look at each of them says so, however few it looks at. In three
+// dimensions: world_memory.cpp.
 #include "many_shapes.hpp"
 
 #include <passive_haptics/scene/scene.hpp>
@@ -46,45 +46,35 @@ ph::world_walls<D> counted_walls(const many_shapes::shapes<D>& all) {
   return walls;
 }
 
-template <class Dimension>
-struct world : ::testing::Test {
-  static constexpr int dimension = Dimension::value;
-};
-using dimensions = tested_types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(world, dimensions);
-
-TYPED_TEST(world, is_touched_as_a_scan_says_after_jumps_near_and_far) {
-  constexpr int D = TestFixture::dimension;
+TEST(world, is_touched_as_a_scan_says_after_jumps_near_and_far) {
   ph::testing::random_source random(seed);
-  const many_shapes::shapes<D> all(1000, random);
-  ph::world<D> w(all.walls());
-  ph::point<D> x = ph::point<D>::Constant(0.5);
+  const many_shapes::shapes<2> all(1000, random);
+  ph::world<2> w(counted_walls(all));
+  ph::point<2> x = ph::point<2>::Constant(0.5);
   int touched = 0;
   for (int k = 0; k < 5000; ++k) {
     switch (k % 7) {
-      case 0: x = random.between<double, D>(ph::point<D>::Constant(-0.1), ph::point<D>::Constant(1.1)); break;
-      case 1: x += 1e-17 * random.direction<double, D>(); break;
+      case 0: x = random.between<double, 2>(ph::point<2>::Constant(-0.1), ph::point<2>::Constant(1.1)); break;
+      case 1: x += 1e-17 * random.direction<double, 2>(); break;
       case 2:
-        if (k % 70 == 2) x = 1e3 * random.direction<double, D>();
-        if (k % 700 == 2) x = 1e200 * random.direction<double, D>();
+        if (k % 70 == 2) x = 1e3 * random.direction<double, 2>();
+        if (k % 700 == 2) x = 1e200 * random.direction<double, 2>();
         break;
-      default: x += random.positive(1e-6, 0.2) * random.direction<double, D>();
+      default: x += random.positive(1e-6, 0.2) * random.direction<double, 2>();
     }
     const auto& found = ph::sense(w, x);
-    ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<D + 1>(all, x)))
-        << "seed " << seed << ", jump " << k;
+    ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<3>(all, x))) << "seed " << seed << ", jump " << k;
     touched += found.size();
   }
   EXPECT_GT(touched, 500);
 }
 
 // Without a margin at first, when most cycles look at nothing.
-TYPED_TEST(world, is_touched_from_its_margin_on_as_a_scan_says) {
-  constexpr int D = TestFixture::dimension;
+TEST(world, is_touched_from_its_margin_on_as_a_scan_says) {
   ph::testing::random_source random(seed);
-  const many_shapes::shapes<D> all(D == 2 ? 300 : 8'000, random);
-  ph::world<D, 8> w(counted_walls(all));
-  many_shapes::wandering_hand<D> hand(5e-4, random);
+  const many_shapes::shapes<2> all(300, random);
+  ph::world<2, 8> w(counted_walls(all));
+  many_shapes::wandering_hand<2> hand(5e-4, random);
   int touched = 0, before_touch = 0;
   looks = 0;
   double margin = 0;
@@ -93,8 +83,8 @@ TYPED_TEST(world, is_touched_from_its_margin_on_as_a_scan_says) {
       EXPECT_LT(looks, 3000);
     }
     if (k % 1000 == 999 && k > 3000) w.set_margin(margin = random.uniform(0.0, 0.006));
-    ph::point<D> x = hand.next();
-    if (k % 500 == 499) x += random.direction<double, D>();  // a jump
+    ph::point<2> x = hand.next();
+    if (k % 500 == 499) x += random.direction<double, 2>();  // a jump
     const auto& found = ph::sense(w, x);
     ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<8>(all, x, margin)))
         << "seed " << seed << ", cycle " << k;
@@ -106,14 +96,13 @@ TYPED_TEST(world, is_touched_from_its_margin_on_as_a_scan_says) {
 }
 
 // The bound of a cycle: 64 looks beyond the contacts, at any speed.
-TYPED_TEST(world, looks_at_few_in_the_worst_cycle) {
-  constexpr int D = TestFixture::dimension;
+TEST(world, looks_at_few_in_the_worst_cycle) {
   ph::testing::random_source random(seed);
-  const many_shapes::shapes<D> all(D == 2 ? 2000 : 100'000, random);
-  ph::world<D, 8> w(counted_walls(all));
+  const many_shapes::shapes<2> all(2000, random);
+  ph::world<2, 8> w(counted_walls(all));
   long worst = 0;
   for (const double step : {2e-6, 2e-4, 2e-3, 2e-2}) {
-    many_shapes::wandering_hand<D> hand(step, random);
+    many_shapes::wandering_hand<2> hand(step, random);
     for (int k = 0; k < 5000; ++k) {
       looks = 0;
       const auto& found = ph::sense(w, hand.next());
@@ -124,59 +113,55 @@ TYPED_TEST(world, looks_at_few_in_the_worst_cycle) {
 }
 
 // Two rooms without bounds: a hand at the wall of the inner one, and the outer one 9 m further off.
-TYPED_TEST(world, looks_at_an_unbounded_wall_only_when_it_is_due) {
-  constexpr int D = TestFixture::dimension;
-  using room = counted<ph::ball<D>>;
-  ph::world_walls<D> walls;
+TEST(world, looks_at_an_unbounded_wall_only_when_it_is_due) {
+  using room = counted<ph::ball<2>>;
+  ph::world_walls<2> walls;
   for (const double radius : {1.0, 10.0})
-    walls.add(ph::wall(room(ph::point<D>::Zero(), radius, ph::filling::hollow)));
-  ph::world<D> w(walls);
-  const auto at = [&](double r) { return ph::sense(w, ph::point<D>(r * ph::point<D>::UnitX())).size(); };
+    walls.add(ph::wall(room(ph::point<2>::Zero(), radius, ph::filling::hollow)));
+  ph::world<2> w(walls);
+  const auto at = [&](double r) { return ph::sense(w, ph::point<2>(r * ph::point<2>::UnitX())).size(); };
   for (const double r : {0.999, 0.9991}) EXPECT_EQ(at(r), 0);
   looks = 0;
   for (int k = 0; k < 100; ++k) EXPECT_EQ(at(1.001 - 1e-6 * k), 1) << k;
   EXPECT_EQ(looks, 100) << "of the inner one alone";
 }
 
-TYPED_TEST(world, finds_all_of_many_walls_in_one_place) {
-  constexpr int D = TestFixture::dimension;
+TEST(world, finds_all_of_many_walls_in_one_place) {
   ph::testing::random_source random(seed);
-  ph::world_walls<D> walls;
+  ph::world_walls<2> walls;
   constexpr int count = 200;
-  for (int i = 0; i < count; ++i) walls.add(ph::wall(ph::ball<D>(ph::point<D>::Zero(), 0.004), 1e3 + i));
-  ph::world<D> w(walls);
+  for (int i = 0; i < count; ++i) walls.add(ph::wall(ph::ball<2>(ph::point<2>::Zero(), 0.004), 1e3 + i));
+  ph::world<2> w(walls);
   for (int k = 0; k < 100; ++k) {
-    const auto& found = ph::sense(w, ph::point<D>(0.002 * random.direction<double, D>()));
-    ASSERT_EQ(found.size(), D + 1);
-    EXPECT_EQ(w.left_out(), count - D - 1);
-    for (int i = 0; i <= D; ++i)
-      EXPECT_EQ(found[i].wall_number, count - D - 1 + i) << "those of the largest forces";
-    EXPECT_TRUE(ph::sense(w, ph::point<D>(0.02 * random.direction<double, D>())).empty());
+    const auto& found = ph::sense(w, ph::point<2>(0.002 * random.direction<double, 2>()));
+    ASSERT_EQ(found.size(), 3);
+    EXPECT_EQ(w.left_out(), count - 3);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_EQ(found[i].wall_number, count - 3 + i) << "those of the largest forces";
+    EXPECT_TRUE(ph::sense(w, ph::point<2>(0.02 * random.direction<double, 2>())).empty());
   }
 }
 
 // A heap of balls of all sizes up to a centimetre (a proxy feels larger ones that overlap), and steps of all
 // sizes: the next list may reach less far than the handle went meanwhile.
-TYPED_TEST(world, is_touched_as_a_scan_says_in_a_heap_of_all_sizes) {
-  constexpr int D = TestFixture::dimension;
+TEST(world, is_touched_as_a_scan_says_in_a_heap_of_all_sizes) {
   ph::testing::random_source random(seed);
-  many_shapes::shapes<D> all(0, random);
-  const ph::point<D> middle = ph::point<D>::Constant(0.5);
+  many_shapes::shapes<2> all(0, random);
+  const ph::point<2> middle = ph::point<2>::Constant(0.5);
   for (int i = 0; i < 3000; ++i) {
     const double spread = random.positive(1e-5, 0.3);
-    all.balls.emplace_back(middle + spread * random.normal_vector<double, D>(),
-                           std::min((D == 2 ? 0.03 : 0.1) * spread, 4.9e-3));
+    all.balls.emplace_back(middle + spread * random.normal_vector<double, 2>(),
+                           std::min((0.03) * spread, 4.9e-3));
   }
-  ph::world<D> w(all.walls());
-  ph::point<D> x = middle;
+  ph::world<2> w(counted_walls(all));
+  ph::point<2> x = middle;
   int touched = 0;
   for (int k = 0; k < 5000; ++k) {
     const double r = (x - middle).norm();  // the size of the balls about x, too
-    if (r < 1e-5 || r > 0.5) x = middle + random.positive(1e-4, 0.3) * random.direction<double, D>();
-    else x += random.positive(0.01, 1.0) * r * random.direction<double, D>();
+    if (r < 1e-5 || r > 0.5) x = middle + random.positive(1e-4, 0.3) * random.direction<double, 2>();
+    else x += random.positive(0.01, 1.0) * r * random.direction<double, 2>();
     const auto& found = ph::sense(w, x);
-    ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<D + 1>(all, x)))
-        << "seed " << seed << ", step " << k;
+    ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<3>(all, x))) << "seed " << seed << ", step " << k;
     touched += found.size();
   }
   EXPECT_GT(touched, 250);
@@ -184,29 +169,28 @@ TYPED_TEST(world, is_touched_as_a_scan_says_in_a_heap_of_all_sizes) {
 
 // With a list of so few that what is near keeps driving out what is further: from anywhere straight to the
 // last that has room.
-TYPED_TEST(world, looks_at_all_that_is_touched_however_few_it_lists) {
-  constexpr int D = TestFixture::dimension;
+TEST(world, looks_at_all_that_is_touched_however_few_it_lists) {
   constexpr int count = 100, listed = 3, steps = 10;
-  constexpr double radius = D == 2 ? 0.02 : 0.05;
+  constexpr double radius = 0.02;
   ph::testing::random_source random(seed);
-  const auto anywhere = [&] { return random.between<double, D>(ph::point<D>::Zero(), ph::point<D>::Ones()); };
-  std::vector<ph::point<D>> balls;
-  std::vector<ph::bounding_box<D>> boxes;
+  const auto anywhere = [&] { return random.between<double, 2>(ph::point<2>::Zero(), ph::point<2>::Ones()); };
+  std::vector<ph::point<2>> balls;
+  std::vector<ph::bounding_box<2>> boxes;
   for (int i = 0; i < count; ++i) {
     balls.push_back(anywhere());
-    boxes.push_back(ph::box_about<D>(balls.back(), radius));
+    boxes.push_back(ph::box_about<2>(balls.back(), radius));
   }
-  const ph::bounding_volume_tree<D> tree(boxes);
-  ph::neighbour_list<D, listed> near(0, tree.scale());
+  const ph::bounding_volume_tree<2> tree(boxes);
+  ph::neighbour_list<2, listed> near(0, tree.scale());
   for (int k = 0; k < 200; ++k) {
-    const ph::point<D> from = anywhere();
+    const ph::point<2> from = anywhere();
     auto by_distance = balls;
     const auto last = by_distance.begin() + listed - 1;
     std::nth_element(by_distance.begin(), last, by_distance.end(), [&](const auto& a, const auto& b) {
       return (a - from).squaredNorm() < (b - from).squaredNorm();
     });
     for (int i = 0; i <= steps; ++i) {
-      const ph::point<D> x = from + (*last - from) * i / steps;
+      const ph::point<2> x = from + (*last - from) * i / steps;
       const auto distance = [&](const auto& ball) { return (x - ball).norm() - radius; };
       auto missed = std::count_if(balls.begin(), balls.end(), [&](const auto& b) { return distance(b) < 0; });
       if (!near.idle(x))
@@ -221,59 +205,56 @@ TYPED_TEST(world, looks_at_all_that_is_touched_however_few_it_lists) {
   }
 }
 
-TYPED_TEST(world, tells_of_a_position_that_is_none_and_forgets_it) {
-  constexpr int D = TestFixture::dimension;
-  ph::world_walls<D> walls;
-  walls.add(ph::wall(ph::ball<D>(ph::point<D>::Zero(), 0.01)));
-  ph::world<D> w(walls);
-  const ph::point<D> inside = 0.005 * ph::point<D>::UnitX();
+TEST(world, tells_of_a_position_that_is_none_and_forgets_it) {
+  ph::world_walls<2> walls;
+  walls.add(ph::wall(ph::ball<2>(ph::point<2>::Zero(), 0.01)));
+  ph::world<2> w(walls);
+  const ph::point<2> inside = 0.005 * ph::point<2>::UnitX();
   EXPECT_EQ(ph::sense(w, inside).size(), 1);
-  ph::world<D> empty{ph::world_walls<D>()};
+  ph::world<2> empty{ph::world_walls<2>()};
   EXPECT_TRUE(ph::sense(empty, inside).empty());
   for (const double bad : {nan, HUGE_VAL, -HUGE_VAL}) {
-    ph::point<D> x = inside;
-    x[D - 1] = bad;
+    ph::point<2> x = inside;
+    x[1] = bad;
     ASSERT_EQ(ph::sense(w, x).size(), 1);
     EXPECT_TRUE(std::isnan(ph::sense(w, x)[0].depth));
     EXPECT_EQ(ph::sense(w, inside)[0].depth, 0.005);
-    EXPECT_TRUE(ph::sense(w, ph::point<D>(2 * inside + 2 * inside)).empty());
+    EXPECT_TRUE(ph::sense(w, ph::point<2>(2 * inside + 2 * inside)).empty());
   }
 }
 
-TYPED_TEST(world, copies_have_a_memory_of_their_own) {
-  constexpr int D = TestFixture::dimension;
+TEST(world, copies_have_a_memory_of_their_own) {
   ph::testing::random_source random(seed);
-  const many_shapes::shapes<D> all(500, random);
-  ph::world<D> a(all.walls());
-  many_shapes::wandering_hand<D> hand(1e-3, random), other(1e-3, random);
+  const many_shapes::shapes<2> all(500, random);
+  ph::world<2> a(counted_walls(all));
+  many_shapes::wandering_hand<2> hand(1e-3, random), other(1e-3, random);
   for (int k = 0; k < 100; ++k) ph::sense(a, hand.next());
-  ph::world<D> b = a;
+  ph::world<2> b = a;
   for (int k = 0; k < 500; ++k) {
-    const ph::point<D> x = hand.next(), y = other.next();
-    ASSERT_TRUE(many_shapes::same(ph::sense(a, x), many_shapes::scan<D + 1>(all, x)));
-    ASSERT_TRUE(many_shapes::same(ph::sense(b, y), many_shapes::scan<D + 1>(all, y)));
+    const ph::point<2> x = hand.next(), y = other.next();
+    ASSERT_TRUE(many_shapes::same(ph::sense(a, x), many_shapes::scan<3>(all, x)));
+    ASSERT_TRUE(many_shapes::same(ph::sense(b, y), many_shapes::scan<3>(all, y)));
     if (k % 100 == 0) b.reset();
   }
 }
 
-TYPED_TEST(world, is_of_any_shape_with_bounds_or_without) {
-  constexpr int D = TestFixture::dimension;
-  const ph::point<D> e = ph::point<D>::UnitX(), o = ph::point<D>::Zero();
-  ph::world_walls<D> walls;
-  auto scan = ph::scene(ph::wall(ph::ball<D>(o, 0.1)), ph::wall(ph::capsule<D>(0.3 * e, 2 * e, 0.1)),
-                        ph::wall(ph::offset(ph::box<D>(3 * e, ph::point<D>::Constant(0.2)), 0.05)),
-                        ph::wall(ph::complement(ph::ball<D>(o, 10))),
-                        ph::wall(ph::ball<D>(o, 12, ph::filling::hollow)),
-                        ph::wall(ph::offset(ph::ball<D>(5 * e, 0.2), -0.05)));
+TEST(world, is_of_any_shape_with_bounds_or_without) {
+  const ph::point<2> e = ph::point<2>::UnitX(), o = ph::point<2>::Zero();
+  ph::world_walls<2> walls;
+  auto scan = ph::scene(ph::wall(ph::ball<2>(o, 0.1)), ph::wall(ph::capsule<2>(0.3 * e, 2 * e, 0.1)),
+                        ph::wall(ph::offset(ph::box<2>(3 * e, ph::point<2>::Constant(0.2)), 0.05)),
+                        ph::wall(ph::complement(ph::ball<2>(o, 10))),
+                        ph::wall(ph::ball<2>(o, 12, ph::filling::hollow)),
+                        ph::wall(ph::offset(ph::ball<2>(5 * e, 0.2), -0.05)));
   scan.for_each([&](int number, const auto& wall) {
     if (number < 5) walls.add(wall);
   });
-  walls.add(ph::any_wall<D>(scan.template get<5>(), ph::box_about<D>(5 * e, 0.2)));
-  ph::world<D, 6> w(walls);
+  walls.add(ph::any_wall<2>(scan.get<5>(), ph::box_about<2>(5 * e, 0.2)));
+  ph::world<2, 8> w(walls);
   ph::testing::random_source random(seed);
   int touched[6] = {};
   for (int k = 0; k < 3000; ++k) {
-    const ph::point<D> x = random.positive(1e-3, 15.0) * (k % 2 == 0 ? random.direction<double, D>() : e);
+    const ph::point<2> x = random.positive(1e-3, 15.0) * (k % 2 == 0 ? random.direction<double, 2>() : e);
     ASSERT_TRUE(many_shapes::same(ph::sense(w, x), ph::sense(scan, x))) << "seed " << seed << ", point " << k;
     for (const auto& c : ph::sense(w, x)) ++touched[c.wall_number];
   }
@@ -341,43 +322,42 @@ TEST(a_world, that_forgets_the_handle_begins_again) {
   }
 }
 
-TYPED_TEST(world, has_walls_that_move) {
-  constexpr int D = TestFixture::dimension;
+TEST(world, has_walls_that_move) {
   ph::testing::random_source random(seed);
-  const many_shapes::shapes<D> all(300, random);
-  ph::world_walls<D> walls = all.walls();
-  const ph::ball<D> ball(ph::point<D>::Constant(0.5), 0.05);
+  const many_shapes::shapes<2> all(300, random);
+  ph::world_walls<2> walls = counted_walls(all);
+  const ph::ball<2> ball(ph::point<2>::Constant(0.5), 0.05);
   const int moved = walls.add_moving(ph::wall(ball));
-  const int still = walls.add_moving(ph::wall(ph::ball<D>(ph::point<D>::Constant(0.2), 0.02)));
-  ph::world<D, 6> w(walls);
+  const int still = walls.add_moving(ph::wall(ph::ball<2>(ph::point<2>::Constant(0.2), 0.02)));
+  ph::world<2, 8> w(walls);
   ph::moving truth(ball);
-  many_shapes::wandering_hand<D> hand(2e-4, random);
-  ph::point<D> displacement = ph::point<D>::Zero();
+  many_shapes::wandering_hand<2> hand(2e-4, random);
+  ph::point<2> displacement = ph::point<2>::Zero();
   int touched = 0;
   for (int k = 0; k < 10'000; ++k) {
-    const ph::point<D> x = hand.next();
-    const ph::point<D> velocity = random.normal_vector<double, D>();
+    const ph::point<2> x = hand.next();
+    const ph::point<2> velocity = random.normal_vector<double, 2>();
     if (k % 3 != 0) {  // it comes after the handle
-      const ph::point<D> to = x - ph::point<D>::Constant(0.5) - displacement;
+      const ph::point<2> to = x - ph::point<2>::Constant(0.5) - displacement;
       displacement += 1e-4 * to.stableNormalized() + 1e-5 * velocity;
       ASSERT_TRUE(w.set_motion(moved, displacement, velocity));
       truth.set_motion(displacement, velocity);
     }
-    auto expected = many_shapes::scan<6>(all, x);
+    auto expected = many_shapes::scan<8>(all, x);
     if (truth.distance(x) < 0) {
       auto c = ph::contact_of(ph::wall(truth), x, truth.distance(x));
       c.wall_number = moved;
       expected.append_unchecked(c);
       ++touched;
     }
-    if ((x - ph::point<D>::Constant(0.2)).norm() > 0.02) {
+    if ((x - ph::point<2>::Constant(0.2)).norm() > 0.02) {
       ASSERT_TRUE(many_shapes::same(ph::sense(w, x), expected)) << "seed " << seed << ", cycle " << k;
     }
   }
   EXPECT_GT(touched, 200);
   EXPECT_FALSE(w.set_motion(still - 2, displacement, displacement)) << "it was not added as moving";
   EXPECT_FALSE(w.set_motion(99'999, displacement, displacement));
-  EXPECT_FALSE(w.set_motion(moved, ph::point<D>::Constant(nan), displacement));
+  EXPECT_FALSE(w.set_motion(moved, ph::point<2>::Constant(nan), displacement));
 }
 
 TEST(a_world, adds_the_velocity_of_a_wall_to_that_of_its_shape) {
