@@ -2,7 +2,7 @@
 
 # ---- package of CMake -----------------------------------------------------------------------------
 
-set(targets passive_haptics passive_haptics_driver passive_haptics_testing passive_haptics_interop)
+set(targets passive_haptics passive_haptics_driver passive_haptics_device_file passive_haptics_testing passive_haptics_interop)
 # A target of the parent project itself may be in no export set, which would be an error here
 get_target_property(eigen_imported Eigen3::Eigen IMPORTED)
 get_target_property(boost_imported Boost::headers IMPORTED)
@@ -39,6 +39,9 @@ if(DEFINED Boost_VERSION AND Boost_VERSION VERSION_LESS 1.74)
 endif()
 if("testing" IN_LIST passive_haptics_FIND_COMPONENTS AND NOT TARGET GTest::gtest)
   find_dependency(GTest)
+endif()
+if("device_file" IN_LIST passive_haptics_FIND_COMPONENTS AND NOT TARGET tomlplusplus::tomlplusplus)
+  find_dependency(tomlplusplus)
 endif()
 if("driver" IN_LIST passive_haptics_FIND_COMPONENTS)
   find_dependency(Threads)

@@ -102,6 +102,11 @@ s#\bbrake_requirements<([^<>]+)>::met#are_brakes<\1, true>()#g
 s#\bbrake_model_requirements<([^<>]+)>::met#is_brake_model<\1, true>()#g
 s#\bport_requirements<([^<>]+)>::met#is_port<\1, true>()#g
 s#\bsensor_requirements<([^<>]+)>::met#is_force_sensor<\1, true>()#g
+# Configurations of brake_driver; point of a plane is surface_point, as its error says
+s/^law( *= *")/law.type\1/
+s/^\[\[wall\]\]/[[walls]]/
+s/^type( *= *)"plane"/type\1"half_space"/
+s/^filling( *=)/inside\1/
 # Some names are words that other types have, too. The compiler finds them:
 # - contact::wall, contact_report::wall, step_result::wall -> wall_number; contact::position -> sensed_at;
 #   contact_report::first -> has_priority

@@ -1,4 +1,5 @@
-// The program replay for a mechanism of your own.
+// The program replay with a mechanism of your own.
+#include <catalogue/catalogue.hpp>
 #include <log/replay_program.hpp>
 
 struct crane {
@@ -13,5 +14,6 @@ struct crane {
 };
 
 int main(int argc, char** argv) {
-  return example::replay_program(argc, argv, {{"crane", example::replay_of<crane>()}});
+  example::catalogue().add_mechanism<crane>("crane");
+  return example::replay_program(argc, argv, example::catalogue());
 }

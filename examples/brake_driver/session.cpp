@@ -30,7 +30,7 @@ class session {
   session(const configuration& c, const session_options& options)
       : configuration_(c),
         options_(options),
-        device_(make_device(c)),
+        device_(std::make_unique<haptic_device>(c)),
         port_(make_port(c, *device_, port_use::control), make_sensor(c, *device_), c.safety),
         record_(report_sink(options, c)),
         guard_(make_port(c, *device_, port_use::release), c.supervisor, c.safety.at_release,
@@ -240,6 +240,8 @@ class session {
       std::cout << "log: " << configuration_.log
                 << (recorded_ ? "" : ".part, as far as it came: the recorder failed") << ", "
                 << record_.lost() << " cycles lost\n";
+    if (!configuration_.log.empty() && recorded_)
+      std::cout << "device: " << device_name(configuration_.log) << "\n";
   }
 
   configuration configuration_;

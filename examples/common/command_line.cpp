@@ -74,11 +74,6 @@ void command_line::text(const std::string& option, std::string& value, const std
   all_->add(option, value, kind, about)->default_str(value)->check(not_empty);
 }
 
-void command_line::texts(const std::string& option, std::vector<std::string>& values, const std::string& kind,
-                         const std::string& about) {
-  all_->add(option, values, kind, about)->expected(1)->take_all()->check(not_empty);
-}
-
 void command_line::choice(const std::string& option, std::string& value,
                           const std::vector<std::string>& words, const std::string& about) {
   std::string list;
@@ -88,12 +83,6 @@ void command_line::choice(const std::string& option, std::string& value,
     return found ? std::string() : "'" + text + "', expected one of " + list;
   };
   all_->add(option, value, "NAME", about + ":\n" + list)->default_str(value)->check(known);
-}
-
-void command_line::not_negative(const std::string& option, double& value, const std::string& about) {
-  all_->add(option, value, "NUMBER", about)
-      ->default_str(passive_haptics::detail::number_text(value))
-      ->check(number_that([](double x) { return x >= 0; }, "a number >= 0"));
 }
 
 void command_line::positive(const std::string& option, double& value, const std::string& about) {

@@ -27,14 +27,10 @@ class command_line {
   void flag(const std::string& option, bool& value, const std::string& about);
   /// A text that is not empty; kind: what it is, as FILE.
   void text(const std::string& option, std::string& value, const std::string& kind, const std::string& about);
-  /// An option that may be given any number of times.
-  void texts(const std::string& option, std::vector<std::string>& values, const std::string& kind,
-             const std::string& about);
   /// One of these words.
   void choice(const std::string& option, std::string& value, const std::vector<std::string>& words,
               const std::string& about);
-  /// A finite number, >= 0 or > 0.
-  void not_negative(const std::string& option, double& value, const std::string& about);
+  /// A finite number > 0.
   void positive(const std::string& option, double& value, const std::string& about);
   /// A whole number from 0 on, of at most 18 digits.
   void whole_number(const std::string& option, std::optional<std::uint64_t>& value, const std::string& about);

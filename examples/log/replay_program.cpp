@@ -1,48 +1,92 @@
+#include <log/replay.hpp>
 #include <log/replay_program.hpp>
 
 #include <command_line.hpp>
-#include <number_list.hpp>
+#include <log/decision.hpp>
 #include <output_file.hpp>
 
+#include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/runtime/device_file/read_device.hpp>
+
+#include <Eigen/LU>
+
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 
 namespace example {
 namespace {
 
-replay_options parse(int argc, char** argv, const std::vector<std::string>& mechanisms, bool has_made_up) {
+struct replay_options {
+  std::string config, input;
+  std::filesystem::path directory = ".";
+};
+
+replay_options parse(int argc, char** argv) {
   replay_options chosen;
-  chosen.mechanism = mechanisms.front();
-  command_line line("replay",
-                    "Reads a log (docs/guide/log.md), runs each line through a control law beside a virtual "
-                    "wall, and writes\n"
-                    "the commands to the brakes to replay.csv.");
+  command_line line(
+      "replay",
+      "Reads a log (docs/guide/log.md), runs each line through the control law of a device, and "
+      "writes the commands\nto the brakes to replay.csv.");
+  line.text("--config", chosen.config, "FILE",
+            "the device: the file that brake_driver reads; without it the paper's device under "
+            "direct_control");
   line.text("--input", chosen.input, "FILE",
-            has_made_up ? "the log; without it a short one of the tendon device, made up here" : "the log");
-  line.choice("--mechanism", chosen.mechanism, mechanisms, "whose log it is");
-  line.texts("--parameter", chosen.parameters, "NAME=VALUE",
-             "of the mechanism, as length_1=0.2; the others keep their defaults (docs/guide/parameters.md).\n"
-             "Once for each");
-  line.text("--wall", chosen.wall, "SHAPE",
-            "plane:POINT,NORMAL    wall behind POINT [m], NORMAL points to the free side\n"
-            "solid:CENTRE,RADIUS   round, free outside [m]\n"
-            "hollow:CENTRE,RADIUS  round, free inside [m]\n"
-            "coordinates x,y or x,y,z; default plane:0,0.225,0,-1 (in space plane:0,0,-0.15,0,0,1)");
-  line.positive("--stiffness", chosen.stiffness, "of the wall [N/m]");
-  line.choice("--law", chosen.law,
-              {"direct_control", "saturated_direct_control", "velocity_direct_control", "no_direct_control"},
-              "the control law");
-  line.positive("--limit", chosen.limit, "torque limit of each brake [N m; N for a slide]");
-  line.not_negative("--dead-band", chosen.dead_band,
-                    "rate under which a brake counts as at rest [rad/s; m/s for a slide]");
+            "the log; without it a short one of the paper's device, made up here");
   line.output(chosen.directory);
   line.parse(argc, argv);
-  if (chosen.input.empty() && !has_made_up)
-    throw std::invalid_argument("--input is missing, expected the name of a log");
   return chosen;
+}
+
+// Half a second along the wall and a little in and out of it.
+std::string made_up_log() {
+  const ph::tendon_two_link<double> arm;
+  log_row row;
+  std::string log;
+  for (int k = 0; k < 500; ++k) {
+    const double t = 1e-3 * k, speed = 0.1, depth = 2e-4 * std::sin(20 * t);
+    const auto q = arm.inverse({0.06 + speed * t, 0.225 + depth}, ph::elbow::left).q;
+    const ph::vector<double, 2> v(speed, 4e-3 * std::cos(20 * t));
+    row.start();
+    put_motion(row, {},
+               ph::device_state<ph::tendon_two_link<double>>{
+                   t, q, arm.jacobian(q).partialPivLu().solve(v), {0.5, 2}});
+    if (k == 0) log = row.header();
+    log += row.csv();
+  }
+  return log;
+}
+
+// What brake_driver reads besides.
+void pass_over_driver(ph::runtime::toml_section& file) {
+  for (const char* key : {"log", "encoders", "homing", "port", "loop", "safety", "simulation"})
+    file.pass_over(key);
+  auto brakes = file.section("brakes");
+  for (const char* key : {"residual_torque", "torque_per_ampere", "table_1", "table_2", "current_limit",
+                          "hysteresis", "loss_per_kelvin", "continuous_current", "heat", "max_rise_rate"})
+    brakes.pass_over(key);
+  auto sensor = file.section("sensor");
+  std::string type = "simulated";
+  sensor.read("type", type, {"simulated", "comedi", "net_ft", "none"});
+  sensor.pass_over_others();
+}
+
+std::unique_ptr<ph::runtime::any_controller> controller_from(const std::string& config,
+                                                             const ph::runtime::catalogue& all) {
+  using ph::runtime::toml_section;
+  toml_section file = config.empty() ? toml_section::text("built-in device", "law.type = \"direct_control\"")
+                                     : toml_section::file(config);
+  const auto device = ph::runtime::read_device(file, all);
+  pass_over_driver(file);
+  file.finish();
+  std::cerr << device.remarks;
+  return device.make_controller(all, *device.make_mechanism(all));
 }
 
 // Lines done, every two seconds.
@@ -55,9 +99,10 @@ std::function<void(std::size_t)> progress() {
   };
 }
 
-void run(const replay_options& chosen, const replay_job& job, const std::string& made_up) {
+void run(const replay_options& chosen, const ph::runtime::catalogue& all) {
+  const auto control = controller_from(chosen.config, all);
   std::ifstream file;
-  std::istringstream text(made_up);
+  std::istringstream text(chosen.input.empty() ? made_up_log() : "");
   if (!chosen.input.empty()) {
     file.open(chosen.input, std::ios::binary);
     if (!file) throw std::runtime_error("cannot read '" + chosen.input + "'");
@@ -66,59 +111,19 @@ void run(const replay_options& chosen, const replay_job& job, const std::string&
   log_reader log(in, chosen.input.empty() ? "the log that is made up here" : chosen.input);
   const std::filesystem::path path = chosen.directory / "replay.csv";
   output_file out(path);
-  const replay_summary all = job(chosen, log, out.stream(), progress());
+  const replay_summary lines = replay(log, out.stream(), *control, progress());
   out.commit();
-  std::cout << all.lines << " lines, " << all.decided
+  std::cout << lines.lines << " lines, " << lines.decided
             << " with a decision: " << std::filesystem::weakly_canonical(path).string() << "\n";
-  if (all.compared > 0)
-    std::cout << "capacities as in the log, to the last digit: " << all.same << " of " << all.compared
+  if (lines.compared > 0)
+    std::cout << "capacities as in the log, to the last digit: " << lines.same << " of " << lines.compared
               << "\n";
 }
 
 }  // namespace
 
-template <int D>
-ph::wall<any_shape<D>> wall_of(const replay_options& options) {
-  const std::string usual = D == 2 ? "plane:0,0.225,0,-1" : "plane:0,0,-0.15,0,0,1";
-  const std::string text = options.wall.empty() ? usual : options.wall, kind = text.substr(0, text.find(':'));
-  const bool plane = kind == "plane";
-  if (!plane && kind != "solid" && kind != "hollow")
-    throw std::invalid_argument("--wall: shape '" + kind + "', expected plane:, solid: or hollow:");
-  const auto values = numbers("--wall", text.size() > kind.size() ? text.substr(kind.size() + 1) : "");
-  const std::size_t wanted = plane ? 2 * D : D + 1;
-  if (values.size() != wanted)
-    throw std::invalid_argument("--wall: " + std::to_string(values.size()) + " numbers in '" + text +
-                                "', expected " + std::to_string(wanted));
-  const ph::point<D> first(values.data());
-  const auto seen = [&](const auto& shape) { return ph::wall(any_shape<D>(shape), options.stiffness); };
-  if (plane) return seen(ph::half_space<D>(first, ph::point<D>(values.data() + D)));
-  return seen(ph::ball<D>(first, values.back(), kind == "solid" ? ph::filling::solid : ph::filling::hollow));
-}
-template ph::wall<any_shape<2>> wall_of<2>(const replay_options&);
-template ph::wall<any_shape<3>> wall_of<3>(const replay_options&);
-
-std::map<std::string, std::string> values_by_name(const std::vector<std::string>& texts) {
-  std::map<std::string, std::string> all;
-  for (const auto& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos)
-      throw std::invalid_argument("--parameter: '" + text + "', expected NAME=VALUE");
-    all[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  return all;
-}
-
-double parameter_number(const std::string& name, const std::string& text) {
-  return number("--parameter: " + name, text);
-}
-
-int replay_program(int argc, char** argv, const std::vector<std::pair<std::string, replay_job>>& mechanisms,
-                   const std::string& made_up) try {
-  std::vector<std::string> names;
-  for (const auto& [name, job] : mechanisms) names.push_back(name);
-  const replay_options chosen = parse(argc, argv, names, !made_up.empty());
-  for (const auto& [name, job] : mechanisms)
-    if (name == chosen.mechanism) run(chosen, job, made_up);
+int replay_program(int argc, char** argv, const ph::runtime::catalogue& all) try {
+  run(parse(argc, argv), all);
   return 0;
 } catch (const std::invalid_argument& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

@@ -307,7 +307,7 @@ TEST(explorer, a_record_replays_to_the_last_digit) {
     EXPECT_EQ(replayed->count(), 400) << law;
     EXPECT_EQ(replayed->agreement()[1], 400) << law;
     EXPECT_EQ(replayed->agreement()[0], 400) << law;
-    EXPECT_NE(simulation->replay_command(), "") << law;
+    EXPECT_NE(simulation->device_file(), "") << law;
     EXPECT_EQ(value_of(replayed->row(399), "t")[0], 0.399) << law;
   }
   const auto made = explorer::make_device(settings("mechanism=two_link"));

@@ -1,15 +1,24 @@
-// libFuzzer: a log, whose first line may say how it is replayed. What is read is in order and finite, and
-// reads back as it was written. A replay decides without harm, and its own output replays to the last digit.
-// What is refused is named with line and expectation.
+// libFuzzer: a log, before which there may be a device file and a line ---. What is read is in order and
+// finite, and reads back as it was written. A replay decides without harm, and its own output replays to the
+// last digit. What is refused is named with line and expectation.
 #include "input.hpp"
 
 #include <log/log_reader.hpp>
-#include <log/replay_program.hpp>
+#include <log/log_row.hpp>
+#include <log/replay.hpp>
 
-#include <array>
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
+#include <passive_haptics/mechanism/models/delta.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
+#include <passive_haptics/runtime/device_file/read_device.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
+
 #include <cmath>
 #include <cstdint>
-#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -22,24 +31,28 @@ namespace ph = passive_haptics;
 using example::log_reader;
 using fuzz::require;
 
-// Of "# replay MECHANISM LAW WALL STIFFNESS LIMIT DEAD_BAND NAME=VALUE ...", or as much of it as there
-// is.
-example::replay_options options_of(const std::string& log) {
-  constexpr std::array laws{"direct_control", "velocity_direct_control", "no_direct_control"};
-  example::replay_options o{.mechanism = "0"};
-  std::istringstream words(log.substr(0, log.find('\n')));
-  std::string word;
-  if (!(words >> word) || word != "#" || !(words >> word) || word != "replay") return o;
-  std::size_t law = 0;
-  words >> o.mechanism >> law >> o.wall;
-  o.law = laws[law % laws.size()];
-  // As its command line asks of them
-  for (double* const at : {&o.stiffness, &o.limit, &o.dead_band}) {
-    double value = 0;
-    if (words >> value && std::isfinite(value) && value > 0) *at = value;
-  }
-  for (std::string one; words >> one;) o.parameters.push_back(one);
-  return o;
+// Some of each kind.
+ph::runtime::catalogue some() {
+  using namespace ph;
+  runtime::catalogue all;
+  all.add_mechanism<tendon_two_link<double>, tendon_two_link_parameters<double>>("tendon_two_link");
+  all.add_mechanism<xy_table<double>, xy_table_parameters<double>>("xy_table");
+  all.add_mechanism<delta<double>, delta_parameters<double>>("delta");
+  all.add_shape<half_space<2>, half_space_parameters<2>>("half_space");
+  all.add_shape<half_space<3>, half_space_parameters<3>>("half_space");
+  all.add_shape<ball<2>, ball_parameters<2>>("ball");
+  all.add_shape<ball<3>, ball_parameters<3>>("ball");
+  all.add_brake_model<coulomb_brake<double>>("coulomb");
+  const auto add = [&](const auto&... laws) {
+    all.add_laws(laws...);
+    all.compile_for<tendon_two_link<double>>(laws...);
+    all.compile_for<xy_table<double>>(laws...);
+    all.compile_for<delta<double>>(laws...);
+  };
+  add(runtime::named_law<direct_control>{"direct_control"},
+      runtime::named_law<velocity_direct_control>{"velocity_direct_control"},
+      runtime::named_law<on_off_control>{"on_off_control"});
+  return all;
 }
 
 // The numbers of each line, once all of it is read.
@@ -68,49 +81,52 @@ std::string written_again(const std::string& log) {
   return all;
 }
 
-std::string replay(const example::replay_job& job, const example::replay_options& options,
-                   const std::string& log) {
+std::string replay(const ph::runtime::any_controller& begins, const std::string& log) {
+  const auto control = begins.copy();
   std::istringstream in(log);
   log_reader reader(in, "log");
   std::ostringstream out;
-  const example::replay_summary all = job(options, reader, out, {});
+  const example::replay_summary all = replay(reader, out, *control);
   require(all.same <= all.compared && all.compared <= all.decided && all.decided <= all.lines,
           "more than all lines");
   return out.str();
 }
 
-void check(const example::replay_options& options, const std::string& log) {
-  static const std::array jobs{
-      example::replay_of<ph::tendon_two_link<double>, ph::tendon_two_link_parameters<double>>(),
-      example::replay_of<ph::xy_table<double>, ph::xy_table_parameters<double>>(),
-      example::replay_of<ph::delta<double>, ph::delta_parameters<double>>()};
-  const auto& job = jobs[static_cast<unsigned char>(options.mechanism.front()) % jobs.size()];
-  const std::string once = replay(job, options, log);
+void check(const std::string& device, const std::string& log) {
+  static const ph::runtime::catalogue all = some();
+  auto file = ph::runtime::toml_section::text("device", device);
+  const auto d = ph::runtime::read_device(file, all);
+  file.finish();
+  require(ph::validate(d.brakes).empty() && d.mechanism.parameters.error().empty() &&
+              d.law.parameters.error().empty() && ph::validate(d.options).empty(),
+          "what is not valid was accepted", device);
+  const auto control = d.make_controller(all, *d.make_mechanism(all));
+  const std::string once = replay(*control, log);
   for (const char* cell : {",nan", ",-nan", ",inf", ",-inf"})
     require(!fuzz::has(once, cell), "what is not finite was written", once);
-  require(replay(job, options, once) == once, "another replay of its own output", once);
+  require(replay(*control, once) == once, "another replay of its own output", once);
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerInitialize(int*, char***) {
-  std::cerr.setstate(std::ios::failbit);  // replay remarks on what is unusual
-  return 0;
-}
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string log = fuzz::reader(data, size).text();
+  const std::string text = fuzz::reader(data, size).text(), line = "\n---\n";
+  const std::size_t end = text.find(line);
+  const std::string device = end == text.npos ? "" : text.substr(0, end);
+  const std::string log = end == text.npos ? text : text.substr(end + line.size());
   try {
     const std::string once = written_again(log);
     if (!once.empty()) require(written_again(once) == once, "another log was read back", once);
-    check(options_of(log), log);
+    check(device, log);
   } catch (const example::log_error& error) {
-    const std::string text = error.what();
-    require(text.starts_with("log, line ") && fuzz::has(text, ", expected "), "an error without its place",
-            text);
-    fuzz::require_readable(text);
+    const std::string found = error.what();
+    require(found.starts_with("log, line ") && fuzz::has(found, ", expected "), "an error without its place",
+            found);
+    fuzz::require_readable(found);
   } catch (const std::invalid_argument& error) {
-    require(fuzz::has(error.what(), "expected "), "nothing was expected", error.what());
+    const std::string found = error.what();
+    require(found.starts_with("device"), "an error without the file", found);
+    fuzz::require_readable(found);
   }
   return 0;
 }

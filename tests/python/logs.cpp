@@ -1,7 +1,10 @@
 // Logs by the library's own writer and reader, for those of Python.
 #include "reference.hpp"
 
+#include <log/decision.hpp>
 #include <log/replay.hpp>
+
+#include <passive_haptics/passive_haptics.hpp>
 
 #include <fstream>
 
@@ -21,8 +24,12 @@ void replay_log(const std::string& in, const std::string& to) {
   std::ifstream log(in);
   std::ofstream out(to);
   example::log_reader reader(log, in);
-  auto control = control_at_wall();
-  example::replay(reader, out, control);
+  const ph::half_space<2> plane({0, 0.225}, {0, -1});
+  namespace rt = ph::runtime;
+  const auto control = rt::make_controller<ph::direct_control>(
+      arm(), {rt::brake_numbers(arm::brake_count), rt::any_scene<2>(ph::scene(ph::wall(plane, 1e5))),
+              rt::any_parameters(ph::direct_control())});
+  example::replay(reader, out, *control);
 }
 
 // The cycles of a file of states as a log like that of brake_driver, and its numbers beside it.

@@ -5,6 +5,10 @@
 #include "../property/custom_mechanisms.hpp"
 #include "ways.hpp"
 
+#include <passive_haptics/runtime/catalogue.hpp>
+
+#include <span>
+
 namespace {
 
 TEST(no_allocation, in_a_step_of_the_table) { run_all(ph::xy_table<float>(), 0.3); }
@@ -84,6 +88,35 @@ TEST(no_allocation, in_a_cycle_without_a_force_sensor) {
     probed |= control.probing() == decltype(control)::probe_phase::probing;
   }
   EXPECT_TRUE(touched && probed);
+}
+
+// Chosen at run time, in a world with an effect.
+TEST(no_allocation, in_a_cycle_of_an_any_controller) {
+  namespace rt = ph::runtime;
+  using M = ph::tendon_two_link<double>;
+  constexpr rt::named_law<ph::direct_control> law{"direct_control"};
+  rt::catalogue all;
+  all.add_laws(law);
+  all.compile_for<M>(law);
+  ph::world_walls<2> walls;
+  walls.add(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1})));
+  const rt::any_scene_with_effects<2> scene(
+      rt::any_scene<2>(ph::world<2>(walls)),
+      {rt::any_effect<2>(ph::viscous_field<double, 2>({.viscosity = ph::matrix<double, 2, 2>::Identity()}))});
+  const auto control = all.make_controller(rt::mechanism_model<M>(M()), all.laws()[0],
+                                           {rt::brake_numbers(2), scene, all.laws()[0].defaults});
+  bool touched = false, faulty = false;
+  for (int k = 0; k < 1000; ++k) {
+    ph::vector<double, 2> q(1.0, 1.0), qd(std::sin(0.1 * k), 0.3);
+    q[0] += 0.5 * std::sin(0.01 * k);
+    const std::span<const double> all_of_q(q.data(), k % 100 == 99 ? 1 : 2), rates(qd.data(), 2);
+    rt::cycle_record result;
+    ASSERT_EQ(allocations_in([&] { result = (*control)({k * 1e-3, all_of_q, rates, rates}); }), 0)
+        << "cycle " << k;
+    touched |= result.wall_number >= 0;
+    faulty |= result.outcome != ph::status::ok;
+  }
+  EXPECT_TRUE(touched && faulty);
 }
 
 }  // namespace

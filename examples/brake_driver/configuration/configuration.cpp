@@ -1,28 +1,36 @@
 #include <configuration/configuration.hpp>
 #include <configuration/home.hpp>
-#include <configuration/toml_section.hpp>
+
+#include <catalogue/catalogue.hpp>
+#include <passive_haptics/runtime/device_file/read_device.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace example {
 namespace {
 
+using ph::runtime::toml_section;
+
 // Keys that have other names than the members that they set.
-const std::map<std::string_view, std::string_view> keys{
-    {"continuous", "continuous_current"}, {"max_current", "current_limit"}, {"surface_point", "point"}};
+const std::map<std::string_view, std::string_view> keys{{"continuous", "continuous_current"},
+                                                        {"max_current", "current_limit"}};
 
 template <class Parameters>
 void check(const toml_section& from, const Parameters& p) {
   from.check(p, keys);
 }
 
-void read_mechanism(toml_section from, configuration& c) {
-  from.read("type", c.mechanism, {"tendon_two_link", "xy_table", "five_bar"});
-  if (c.mechanism == "tendon_two_link") from.read_all(c.tendon_two_link);
-  else if (c.mechanism == "xy_table") from.read_all(c.xy_table);
-  else from.read_all(c.five_bar);
+void require_two_by_two(toml_section from, const ph::runtime::device_description& device) {
+  std::vector<std::string_view> possible;
+  for (const auto& one : catalogue().mechanisms())
+    if (planar_device::fits(one.sizes)) possible.push_back(one.name);
+  if (std::ranges::count(possible, device.mechanism.name) == 0)
+    from.refuse("type", ph::runtime::one_of(possible) +
+                            ": this program drives two joints with two brakes in the plane");
 }
 
 // What a constructor of the library throws begins with its name.
@@ -31,50 +39,27 @@ std::string without_library(const std::string& text) {
   return text.starts_with(library) ? text.substr(library.size()) : text;
 }
 
-// A wall, and its normal near a point.
-wall_normal add_wall(toml_section& from, configuration& c) {
-  std::string type = "plane", filling = "solid";
-  ph::half_space_parameters<2> plane{{0, 0.225}, {0, -1}};
-  ph::ball_parameters<2> ball{.centre = plane.surface_point};
-  from.read("type", type, {"plane", "ball"});
-  const auto add = [&](const auto& shape) -> wall_normal {
-    ph::wall wall(shape);
-    double stiffness = wall.stiffness();
-    from.read("stiffness", stiffness);
-    if (!wall.set_stiffness(stiffness)) from.refuse("stiffness", "a finite number >= 0 [N/m]");
-    check(from, wall);
-    c.walls.add(wall);
-    c.named_walls.push_back({type, [shape](const ph::point<2>& x) { return shape.distance(x); }});
-    c.wall_remarks += ph::remarks(wall);
-    return [shape](const ph::point<2>& x) { return shape.gradient(x); };
-  };
-  if (type == "plane") {
-    from.read_vector("point", plane.surface_point);
-    from.read_vector("normal", plane.normal);
-    check(from, plane);
-    return add(ph::half_space<2>(plane));
+// A question after the side on which a wall of such a shape is free.
+std::string free_side(ph::runtime::any_parameters shape) {
+  for (const auto& f : shape.fields()) {
+    const std::string_view key = f.about.name;
+    if (key == "normal") return "does its normal point to the free side";
+    if (key == "inside") return "is its inside right (solid: free outside, hollow: free inside)";
   }
-  from.read_vector("centre", ball.centre);
-  from.read("radius", ball.radius);
-  from.read("filling", filling, {"solid", "hollow"});
-  ball.inside = filling == "solid" ? ph::filling::solid : ph::filling::hollow;
-  check(from, ball);
-  return add(ph::ball<2>(ball));
+  return "is it free on the right side (free inside, it is a complement)";
 }
 
-void read_walls(toml_section& file, configuration& c) {
-  auto walls = file.sections("wall");
-  if (walls.empty()) {
-    auto usual = toml_section::nothing();  // the paper's wall
-    c.first_normal = add_wall(usual, c);
+std::vector<named_wall> walls_of(const ph::runtime::device_description& device) {
+  std::vector<named_wall> all;
+  for (const auto& wall : device.walls) {
+    const auto& [type, parameters] = wall.shapes.front();
+    all.push_back({type, free_side(parameters), *ph::runtime::make_shape<2>(catalogue(), wall, 0)});
   }
-  for (auto& from : walls) {
-    const wall_normal normal = add_wall(from, c);
-    if (!c.first_normal) c.first_normal = normal;
-  }
+  return all;
 }
 
-void read_brakes(toml_section from, configuration& c) {
+// The limits of the brakes follow from the curves, unless the file has its own.
+void read_curves(toml_section from, configuration& c, ph::runtime::brake_numbers& brakes) {
   std::array<double, axes> residual{}, slope, limit, hysteresis{}, loss{};
   slope.fill(1);
   limit.fill(1);
@@ -98,7 +83,7 @@ void read_brakes(toml_section from, configuration& c) {
     }
     for (std::size_t k = 0; k < static_cast<std::size_t>(curve.points); ++k)
       curve.table[k] = {pairs[2 * k], pairs[2 * k + 1]};
-    c.brakes.torque_limit[static_cast<int>(i)] = torque_of_current(curve, curve.current_limit);
+    brakes.torque_limit[i] = torque_of_current(curve, curve.current_limit);
   }
   if (c.curves[0].points > 0 && c.curves[1].points > 0)
     from.refuse("torque_per_ampere",
@@ -107,7 +92,6 @@ void read_brakes(toml_section from, configuration& c) {
     from.refuse("loss_per_kelvin", "0, as no sensor of this program reads a brake's temperature; remove it");
   from.require(validate(c.curves));
   for (const ph::brake_curve& curve : c.curves) check(from, curve);
-  from.read_all(c.brakes);
 
   c.safety.currents.max_current = limit;
   c.safety.currents.continuous = limit;
@@ -118,8 +102,9 @@ void read_brakes(toml_section from, configuration& c) {
 }
 
 void read_encoders(toml_section from, configuration& c) {
-  c.encoders.slides.fill(c.mechanism == "xy_table");
-  if (c.mechanism == "xy_table") c.encoders.counts_per_turn.setConstant(100'000);  // 10 um
+  c.encoders.slides = joint_motion(*c.mechanism).axis_slides;
+  for (std::size_t i = 0; i < c.encoders.slides.size(); ++i)
+    if (c.encoders.slides[i]) c.encoders.counts_per_turn[static_cast<int>(i)] = 100'000;  // 10 um
   from.read("counts_per_turn", c.encoders.counts_per_turn);
   from.read("slides", c.encoders.slides);
   from.read("window", c.rates.window);
@@ -136,32 +121,36 @@ void read_encoders(toml_section from, configuration& c) {
 }
 
 void read_homing(toml_section from, configuration& c) {
-  if (c.mechanism == "five_bar" && !from.has("pose"))
-    from.require("pose is missing, expected the joint positions at the start [rad]");
-  if (c.mechanism == "xy_table") c.home = {0.08, 0.2245};
-  else c.home = ph::tendon_two_link<double>(c.tendon_two_link).inverse({0.08, 0.2245}, ph::elbow::left).q;
+  constexpr std::array usual{0.08, 0.2245};  // [m]
+  if (const auto q = c.mechanism->inverse(usual); q.count == axes)
+    c.home = ph::vector<double, axes>(q.data());
+  else if (!from.has("pose"))
+    from.require(
+        "pose is missing, expected joint positions at the start [rad or m]: without it the handle of a " +
+        c.device.mechanism.name + " would start at (0.08, 0.2245) m, for which no pose is known");
   from.read("pose", c.home);
   if (from.has("pose")) from.require(ph::check_value("pose", c.home, "rad or m", ph::range::finite));
-  if (!c.home.allFinite())
-    from.require(
-        "pose is missing, expected joint positions at the start [rad]: this arm does not reach (0.08, "
-        "0.2245) m");
   from.read_all(c.homing);
   from.read_all(c.start);
   from.require(home_error(c));
 }
 
-// How the sensor turns, which a five_bar does not say by itself.
+// How the sensor turns: with the last link of a serial chain.
 void read_sensor_frame(toml_section& from, configuration& c) {
-  if (c.mechanism == "five_bar" && !from.has("link"))
+  const joint_motion joints(*c.mechanism);
+  if (!joints.angles_add_up && !from.has("link"))
     from.require(
-        "link is missing, expected how far each joint turns the sensor: both angles of a five_bar are "
-        "measured "
-        "from the base, so [1, 0] or [0, 1] on a driven link, [0, 0] where the sensor does not turn; no such "
-        "sum is the angle of a distal link");
+        "link is missing, expected how far each joint turns the sensor: both angles of a " +
+        c.device.mechanism.name +
+        " are measured from the base, so [1, 0] or [0, 1] on a driven link, [0, 0] where the sensor does not "
+        "turn; no such sum is the angle of a distal link");
+  for (int i = 0; i < axes; ++i)
+    c.sensor_frame.link[i] = joints.slides[static_cast<std::size_t>(i)] || !joints.angles_add_up ? 0 : 1;
   from.read("link", c.sensor_frame.link);
-  if (c.mechanism == "xy_table" && !c.sensor_frame.link.isZero(0))
-    from.refuse("link", "0, as the slides of an xy_table do not turn the sensor; remove it");
+  for (int i = 0; i < axes; ++i)
+    if (joints.slides[static_cast<std::size_t>(i)] && c.sensor_frame.link[i] != 0)
+      from.refuse("link", std::string(joints.all(true) ? "0" : "0 for joint " + std::to_string(i + 1)) +
+                              ", as a slide does not turn the sensor; remove it");
   from.read("mounting", c.sensor_frame.mounting);
   check(from, c.sensor_frame);
 }
@@ -176,13 +165,13 @@ void read_range_of_values(toml_section& from, configuration& c) {
 
 void read_sensor(toml_section from, configuration& c) {
   from.read("type", c.sensor, {"simulated", "comedi", "net_ft", "none"});
-  c.sensor_frame.link.setConstant(c.mechanism == "tendon_two_link" ? 1 : 0);
   std::array<double, 2> x{1, 0}, y{0, 1};
   if (c.sensor == "comedi") {
     from.read_all(c.comedi_sensor);
   } else if (c.sensor == "net_ft") {
     from.read_all(c.net_ft);
   } else if (c.sensor == "none") {
+    c.sensor_frame.link.setZero();
     c.tare = false;
     return;
   }
@@ -236,6 +225,20 @@ void read_port(toml_section from, configuration& c) {
   }
 }
 
+void read_simulation(toml_section from, configuration& c) {
+  if (!c.device.brake_models.empty())
+    for (const char* key : {"brake", "brake_lag"})
+      from.refuse(key, "no brakes here, as the file has [[brakes.model]]; remove one of both");
+  from.read_all(c.simulation);
+}
+
+// Empty if it has inertia
+std::string without_inertia(const configuration& c) {
+  if (c.mechanism->has_inertia()) return "";
+  return "[mechanism] type = \"" + c.device.mechanism.name +
+         "\", expected one with inertia, which a simulated device needs";
+}
+
 void read_loop(toml_section from, configuration& c) {
   from.read_all(c.loop);
   c.safety.period = c.loop.period;
@@ -264,29 +267,35 @@ configuration read_configuration(const std::string& path) {
   configuration c;
   if (path.empty())
     c.safety.hold_over = c.supervisor.timeout = 0.2;  // simulated, on a desktop that may be late
-  read_mechanism(file.section("mechanism"), c);
-  read_walls(file, c);
-  const bool has_law = file.has("law");
-  file.read("law", c.law,
-            {"velocity_direct_control", "on_off_control", "saturated_direct_control", "direct_control",
-             "no_direct_control"});
+  ph::runtime::device_reader reader(file, catalogue());
+  reader.read_mechanism();
+  require_two_by_two(file.section("mechanism"), reader.device);
+  c.mechanism = reader.device.make_mechanism(catalogue());
   file.read("log", c.log);
   read_loop(file.section("loop"), c);
+  c.device.mechanism = reader.device.mechanism;
   read_encoders(file.section("encoders"), c);
+  ph::runtime::brake_numbers& brakes = reader.device.brakes = ph::runtime::brake_numbers(axes);
   // The slowest rate that the encoders distinguish from rest, unless the file has its own
-  for (int i = 0; i < axes; ++i)
-    c.brakes.rate_dead_band[i] = ph::rate_dead_band(ph::encoder_calibration<axes>(c.encoders).resolution()[i],
-                                                    c.rates.window, c.loop.period);
-  read_brakes(file.section("brakes"), c);
+  for (std::size_t i = 0; i < brakes.rate_dead_band.size(); ++i)
+    brakes.rate_dead_band[i] =
+        ph::rate_dead_band(ph::encoder_calibration<axes>(c.encoders).resolution()[static_cast<int>(i)],
+                           c.rates.window, c.loop.period);
+  read_curves(file.section("brakes"), c, brakes);
+  reader.read_brakes();
+  reader.read_scene();
+  reader.read_sensor();
+  reader.read_law();
+  c.device = std::move(reader.device);
+  c.walls = walls_of(c.device);
   read_safety(file.section("safety"), c);
   read_homing(file.section("homing"), c);
   read_sensor(file.section("sensor"), c);
   read_port(file.section("port"), c);
-  file.section("simulation").read_all(c.simulation);
+  read_simulation(file.section("simulation"), c);
   file.finish();
-  if (auto brakes = file.section("brakes"); !brakes.has("continuous_current"))
-    brakes.refuse("heat",
-                  "continuous_current beside it, over which a coil gets warm; add it, or remove heat");
+  if (auto from = file.section("brakes"); !from.has("continuous_current"))
+    from.refuse("heat", "continuous_current beside it, over which a coil gets warm; add it, or remove heat");
   if (c.port == "comedi" && c.safety.at_release.policy != ph::release_policy::zero)
     file.require(
         "[safety] at_release, expected \"zero\": a card under Comedi has no watchdog, so that its currents "
@@ -295,37 +304,35 @@ configuration read_configuration(const std::string& path) {
   if (c.safety.hold_over < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
     file.require(
         "[safety] hold_over and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");
-  // As recommended_law: the mechanisms have inertia, the brakes lags, so that the sensor decides
-  if (!has_law && c.sensor == "none") c.law = "on_off_control";
-  if (c.sensor == "none" && c.law != "no_direct_control" && c.law != "on_off_control")
-    file.require("law = \"" + c.law +
-                 "\" needs a force sensor, expected [sensor] type other than \"none\", or law = "
-                 "\"on_off_control\"");
   if ((c.sensor == "simulated") != (c.port == "simulated") && c.sensor != "none")
     file.require("[port] type = \"" + c.port + "\" and [sensor] type = \"" + c.sensor +
                  "\", expected both simulated or none");
+  if (c.port == "simulated") file.require(without_inertia(c));
   return c;
 }
 
 std::string remarks(const configuration& c) {
-  std::string all;
+  std::string all = c.device.remarks;
   const auto add = [&](const auto&... parameters) { (all.append(ph::remarks(parameters)), ...); };
-  if (c.mechanism == "tendon_two_link") add(c.tendon_two_link);
-  else if (c.mechanism == "xy_table") add(c.xy_table);
-  else add(c.five_bar);
-  add(c.brakes, c.curves[0], c.curves[1], c.encoders, c.rates, c.homing, c.start, c.force, c.loop,
-      c.real_time, c.safety, c.supervisor);
+  add(c.curves[0], c.curves[1], c.encoders, c.rates, c.homing, c.start, c.force, c.loop, c.real_time,
+      c.safety, c.supervisor);
   if (c.sensor != "none") add(c.sensor_frame);
   if (c.port == "simulated") add(c.simulation);
   if (c.port == "serial") add(c.serial);
   if (c.sensor == "net_ft") add(c.net_ft);
-  return all + c.wall_remarks;
+  return all;
 }
 
 configuration simulated(configuration c) {
+  if (const std::string error = without_inertia(c); !error.empty()) throw std::invalid_argument(error);
   c.port = "simulated";
   if (c.sensor != "none") c.sensor = "simulated";
   return c;
+}
+
+std::string summary(const configuration& c) {
+  return c.device.mechanism.name + ", " + c.port + " device, " + c.sensor + " force sensor, " +
+         c.device.law.name;
 }
 
 }  // namespace example

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <comedi/comedi_parameters.hpp>
+#include <devices/planar_device.hpp>
 #include <ports/net_ft.hpp>
 #include <ports/simulation_parameters.hpp>
 #include <serial/serial_port_parameters.hpp>
@@ -12,9 +13,9 @@
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/real_time.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
-#include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/runtime/device_file/device_description.hpp>
 
-#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,16 +23,14 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// Of all devices of this program: planar, two encoders, two brakes, a force sensor with up to six channels.
-inline constexpr int axes = 2, sensor_channels = 6;
-
-/// The unit normal of a wall near a point, out of the wall.
-using wall_normal = std::function<ph::point<2>(const ph::point<2>&)>;
+/// Channels of the force sensor of a device, at most.
+inline constexpr int sensor_channels = 6;
 
 /// A wall, as a person finds it in the file.
 struct named_wall {
-  std::string type;                                     ///< "plane" or "ball".
-  std::function<double(const ph::point<2>&)> distance;  ///< Signed, positive in free space [m].
+  std::string type;                 ///< Of the shape.
+  std::string free_side;            ///< A question after the side on which it is free.
+  ph::runtime::any_shape<2> shape;  ///< With its distance and normal.
 };
 
 /// Where the handle may be when the brakes come on.
@@ -48,17 +47,9 @@ struct start_parameters {
 
 /// A configuration file, checked.
 struct configuration {
-  std::string mechanism = "tendon_two_link";  ///< Or xy_table, five_bar.
-  ph::tendon_two_link_parameters<double> tendon_two_link;
-  ph::xy_table_parameters<double> xy_table;
-  ph::five_bar_parameters<double> five_bar;
-
-  std::string law = "velocity_direct_control";  ///< By its name in the library; see read_configuration().
-  std::string wall_remarks;                     // for remarks()
-  ph::world_walls<2> walls;
-  std::vector<named_wall> named_walls;                   ///< The walls in the order of the file.
-  wall_normal first_normal;                              ///< Of the first of them.
-  ph::switchable_brake_parameters<double, axes> brakes;  ///< What the controller believes.
+  ph::runtime::device_description device;                       ///< As replay reads it.
+  std::shared_ptr<const ph::runtime::any_mechanism> mechanism;  ///< Of the device.
+  std::vector<named_wall> walls;                                ///< In the order of the file.
 
   // What was measured on the device
   ph::encoder_calibration_parameters<axes> encoders;
@@ -89,15 +80,18 @@ struct configuration {
   std::string log = "brake_driver.csv";  ///< Empty for none.
 };
 
-/// Of a file; of the default without one. Where the file names no law, it is the recommended one: without a
-/// force sensor on_off_control, else velocity_direct_control. Throws std::invalid_argument that names file,
-/// line, key, value and expectation.
+/// Of a file; of the default without one. Throws std::invalid_argument that names file, line, key, value and
+/// expectation.
 configuration read_configuration(const std::string& path);
 
 /// A line for each value that is allowed but unusual; empty if there is none.
 std::string remarks(const configuration& c);
 
-/// The device and the sensor replaced by simulated ones.
+/// The device and the sensor replaced by simulated ones. Throws std::invalid_argument if the mechanism has no
+/// inertia.
 configuration simulated(configuration c);
+
+/// Device, port, sensor and law, for a title.
+std::string summary(const configuration& c);
 
 }  // namespace example

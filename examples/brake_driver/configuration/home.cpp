@@ -10,11 +10,7 @@ namespace {
 
 constexpr double min_remarked = 5e-5;  // [m], half of the last digit that is printed
 
-ph::point<2> home_position(const configuration& c) {
-  if (c.mechanism == "xy_table") return ph::xy_table<double>(c.xy_table).position(c.home);
-  if (c.mechanism == "five_bar") return ph::five_bar<double>(c.five_bar).position(c.home);
-  return ph::tendon_two_link<double>(c.tendon_two_link).position(c.home);
-}
+ph::point<2> home_position(const configuration& c) { return planar_device(c.mechanism).position(c.home); }
 
 std::string pair_in_words(const char* format, const ph::vector<double, 2>& v) {
   std::array<char, 100> text{};
@@ -29,31 +25,43 @@ std::string millimetres(double metres) {
   return text.data();
 }
 
+// A word for joints that rotate, one for slides, or both in their order.
+std::string for_joints(const configuration& c, const std::string& rotating, const std::string& sliding) {
+  const joint_motion joints(*c.mechanism);
+  if (joints.all(false)) return rotating;
+  if (joints.all(true)) return sliding;
+  return joints.slides[0] ? sliding + " and " + rotating : rotating + " and " + sliding;
+}
+
+std::string angles_in_words(const configuration& c) {
+  return pair_in_words("(%.6g, %.6g) ", c.home) + for_joints(c, "rad", "m");
+}
+
 // "q (1.8812, -1.3055) rad, handle at (0.0800, 0.2245) m"
 std::string pose_in_words(const configuration& c) {
-  const char* const format = c.mechanism == "xy_table" ? "(%.6g, %.6g) m" : "(%.6g, %.6g) rad";
-  return pair_in_words(format, c.home) + ", handle at " + pair_in_words("(%.4f, %.4f) m", home_position(c));
+  return angles_in_words(c) + ", handle at " + pair_in_words("(%.4f, %.4f) m", home_position(c));
 }
 
 // No joint that turns starts beyond a turn: a turn less is the same place.
 bool looks_like_degrees(const configuration& c) {
-  return c.mechanism != "xy_table" && c.home.cwiseAbs().maxCoeff() > 2 * std::numbers::pi;
+  const joint_motion joints(*c.mechanism);
+  for (int i = 0; i < axes; ++i)
+    if (!joints.slides[static_cast<std::size_t>(i)] && std::abs(c.home[i]) > 2 * std::numbers::pi)
+      return true;
+  return false;
 }
 
-// The question after the side on which a wall is free.
-std::string free_side(const std::string& wall_type) {
-  return wall_type == "ball" ? "is its filling right (solid: free outside, hollow: free inside)"
-                             : "does its normal point to the free side";
-}
-
-std::string likely_cause(const configuration& c, const std::string& wall_type) {
+std::string likely_cause(const configuration& c, const std::string& free_side) {
   if (looks_like_degrees(c)) {
-    const ph::vector<double, 2> radians = c.home * (std::numbers::pi / 180);
+    const joint_motion joints(*c.mechanism);
+    ph::vector<double, 2> radians = c.home;
+    for (int i = 0; i < axes; ++i)
+      if (!joints.slides[static_cast<std::size_t>(i)]) radians[i] *= std::numbers::pi / 180;
     return "; angles beyond a turn look like degrees: in radians they are " +
            pair_in_words("(%.4f, %.4f)", radians);
   }
-  const char* const unit = c.mechanism == "xy_table" ? "metres, not millimetres" : "radians, not degrees";
-  return "; " + free_side(wall_type) + "; is the pose that of this device, in " + unit +
+  return "; " + free_side + "; is the pose that of this device, in " +
+         for_joints(c, "radians, not degrees", "metres, not millimetres") +
          "; is the wall where it should be?";
 }
 
@@ -63,7 +71,7 @@ wall_depth deepest_wall(const std::vector<named_wall>& walls, const ph::point<2>
   wall_depth deepest;
   int number = 0;
   for (const named_wall& wall : walls) {
-    const double depth = -wall.distance(x);
+    const double depth = -wall.shape.distance(x);
     ++number;
     if (deepest.number == 0 || !(depth <= deepest.depth)) deepest = {number, depth};
   }
@@ -74,12 +82,12 @@ std::string home_in_words(const configuration& c) {
   const ph::point<2> x = home_position(c);
   std::string text = "home  q " + pose_in_words(c) + "\n";
   int number = 0;
-  for (const named_wall& wall : c.named_walls) {
-    const double distance = wall.distance(x);
+  for (const named_wall& wall : c.walls) {
+    const double distance = wall.shape.distance(x);
     text += "wall " + std::to_string(++number) + " (" + wall.type + "): " + millimetres(std::abs(distance)) +
             (distance >= 0              ? " in front of it\n"
              : distance > -min_remarked ? " inside it\n"
-                                        : " inside it: " + free_side(wall.type) + "?\n");
+                                        : " inside it: " + wall.free_side + "?\n");
   }
   return text;
 }
@@ -88,13 +96,13 @@ std::string home_error(const configuration& c) {
   const ph::point<2> x = home_position(c);
   const std::string pose = "pose = " + pose_in_words(c);
   if (!ph::all_finite(x))
-    return "pose = " + pair_in_words("(%.6g, %.6g) rad", c.home) +
+    return "pose = " + angles_in_words(c) +
            ", expected one in which the mechanism has a handle; are lengths and pose those of this device?";
-  if (const wall_depth deepest = deepest_wall(c.named_walls, x); deepest.is_over(c.start.max_start_depth)) {
-    const std::string& type = c.named_walls[static_cast<std::size_t>(deepest.number - 1)].type;
+  if (const wall_depth deepest = deepest_wall(c.walls, x); deepest.is_over(c.start.max_start_depth)) {
+    const named_wall& wall = c.walls[static_cast<std::size_t>(deepest.number - 1)];
     return pose + ", " + millimetres(deepest.depth) + " inside wall " + std::to_string(deepest.number) +
-           " (" + type + "), expected at most max_start_depth, " +
-           ph::detail::number_text(1e3 * c.start.max_start_depth) + " mm" + likely_cause(c, type);
+           " (" + wall.type + "), expected at most max_start_depth, " +
+           ph::detail::number_text(1e3 * c.start.max_start_depth) + " mm" + likely_cause(c, wall.free_side);
   }
   if (looks_like_degrees(c)) return pose + ", expected angles within a turn" + likely_cause(c, "");
   return "";

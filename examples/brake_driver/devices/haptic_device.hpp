@@ -5,6 +5,7 @@
 #include <configuration/configuration.hpp>
 #include <configuration/home.hpp>
 #include <ports/any_port.hpp>
+#include <ports/simulation.hpp>
 #include <report/record.hpp>
 
 #include <array>
@@ -24,31 +25,41 @@ struct samples {
 /// A mechanism with its calibration, walls and law.
 class haptic_device {
  public:
-  virtual ~haptic_device() = default;
+  /// The device of a configuration. Throws std::invalid_argument with what is wrong.
+  explicit haptic_device(const configuration& c);
 
   /// Port and sensor of its simulation.
-  virtual any_brake_port<axes, axes> simulated_port() = 0;
-  virtual any_force_sensor simulated_sensor() = 0;
+  any_brake_port<axes, axes> simulated_port();
+  any_force_sensor simulated_sensor();
 
   /// One more cycle at rest, of homing, then of taring; what is to be done next.
-  virtual phase prepare(const samples& now) noexcept = 0;
+  phase prepare(const samples& now) noexcept;
   /// What kept homing or taring from its end so far, in words.
-  virtual std::string hindrance() const = 0;
+  std::string hindrance() const;
   /// The wall in which the handle is deepest now; once it is homed.
-  virtual wall_depth deepest_wall(const samples& now) const noexcept = 0;
+  wall_depth deepest_wall(const samples& now) const noexcept;
   /// One cycle with walls, or without where it is not `running` yet: currents [A], and what is to be written
   /// down.
-  virtual ph::brake_currents<axes> cycle(const samples& now, phase doing, record& r) noexcept = 0;
+  ph::brake_currents<axes> cycle(const samples& now, phase doing, record& r) noexcept;
   /// Forgets the motion so far.
-  virtual void reset() noexcept = 0;
+  void reset() noexcept { control_->reset(); }
+
+ private:
+  // Remembers what began it anew
+  bool is_done(ph::steady_status now) noexcept {
+    if (now != ph::steady_status::collecting) hindered_ = now;
+    return now == ph::steady_status::done;
+  }
+
+  configuration configuration_;
+  planar_device mechanism_;
+  ph::device_calibration<planar_device, sensor_channels, ph::planar_sensor_frame<2>> calibration_;
+  std::unique_ptr<ph::runtime::any_controller> control_;
+  ph::homing<axes> homing_;
+  ph::steady_mean<sensor_channels> tare_;
+  ph::steady_status hindered_ = ph::steady_status::collecting;  // the last that was not this
+  phase doing_ = phase::homing;
+  std::shared_ptr<simulation> plant_;
 };
-
-/// The device of a configuration. Throws std::invalid_argument with what is wrong.
-std::unique_ptr<haptic_device> make_device(const configuration& c);
-
-/// Those of each mechanism, in files of their own.
-std::unique_ptr<haptic_device> make_tendon_two_link(const configuration& c);
-std::unique_ptr<haptic_device> make_xy_table(const configuration& c);
-std::unique_ptr<haptic_device> make_five_bar(const configuration& c);
 
 }  // namespace example

@@ -1,35 +1,50 @@
 #include <report/limits.hpp>
 
-#include <passive_haptics/design/braked_wall_at.hpp>
+#include <catalogue/catalogue.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/driver/calibration/encoder_calibration.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 
 namespace example {
 namespace {
 
 // The wall as the handle meets it at home, approached at this speed [m/s].
-template <class M>
-ph::braked_wall wall_at_home(const M& mechanism, const configuration& c, double approach) {
+ph::braked_wall wall_at_home(const configuration& c, double approach) {
   using V = ph::vector<double, 2>;
-  const V n = c.first_normal(mechanism.position(c.home)),
+  if (c.walls.empty())
+    throw std::invalid_argument("walls = [], expected one or more for --limits, which is about the first");
+  const V n = c.walls.front().shape.gradient(planar_device(c.mechanism).position(c.home)),
           u(c.simulation.direction[0], c.simulation.direction[1]);
   const V along = u - n * n.dot(u);
   const V velocity = c.simulation.speed * along.stableNormalized() - approach * n;
   const V residual(c.curves[0].residual_torque, c.curves[1].residual_torque);
-  ph::braked_wall wall =
-      ph::braked_wall_at(mechanism, c.home, velocity, n, c.brakes, residual,
-                         ph::encoder_calibration<axes>(c.encoders).resolution(), c.simulation.hand_mass);
+  const V resolution = ph::encoder_calibration<axes>(c.encoders).resolution();
+  const auto found = catalogue().braked_wall_at(*c.mechanism, c.device.brakes,
+                                                {.q = {c.home.data(), axes},
+                                                 .velocity = {velocity.data(), 2},
+                                                 .normal = {n.data(), 2},
+                                                 .residual_torque = {residual.data(), axes},
+                                                 .resolution = {resolution.data(), axes},
+                                                 .hand_mass = c.simulation.hand_mass});
+  if (!found)
+    throw std::invalid_argument("[mechanism] type = \"" + c.device.mechanism.name +
+                                "\", expected one with inertia for --limits");
+  ph::braked_wall wall = *found;
   wall.push = c.simulation.push;
-  wall.control_period = wall.scene_period = c.loop.period;
+  wall.control_period = c.loop.period;
+  wall.scene_period = std::max(c.loop.period, c.device.scene.period);
   wall.averaging_time =
       c.rates.window * c.loop.period + 2 * ph::velocity_direct_control_parameters().rate_lag;
   return wall;
 }
 
-template <class M>
-void print(const M& mechanism, const configuration& c) {
-  const ph::braked_wall wall = wall_at_home(mechanism, c, 0.1);
+}  // namespace
+
+void print_limits(const configuration& c) {
+  const ph::braked_wall wall = wall_at_home(c, 0.1);
   std::printf(
       "The first wall at the home pose, the hand of [simulation]: %.2g kg, pushes with %.2g N\n"
       "brakes out of the wall  %.3g N, by force approximation %.3g N; without current %.2g N; rise %.3g ms\n"
@@ -39,7 +54,7 @@ void print(const M& mechanism, const configuration& c) {
       c.simulation.hand_mass, wall.push, wall.force, wall.approximated_force, wall.residual_force,
       1e3 * wall.time_constant, wall.inertia, 1e3 * wall.depth_resolution, 1e3 * limits_of(wall).drift);
   for (const double approach : {0.02, 0.05, 0.1, 0.2}) {
-    const ph::wall_limits limits = limits_of(wall_at_home(mechanism, c, approach));
+    const ph::wall_limits limits = limits_of(wall_at_home(c, approach));
     if (limits.holds()) std::printf("%14g  %19.1f  ", approach, 1e3 * limits.depth);
     else std::printf("%14g  %19s  ", approach, "not held");
     std::printf("%30.2g\n", limits.stiffness);
@@ -51,14 +66,6 @@ void print(const M& mechanism, const configuration& c) {
   std::printf(
       "\nDepth: velocity_direct_control that sees the wall once it is touched. Stiffness: the laws that use "
       "it,\nwhich get half as deep again into it as into a rigid wall. Bands: docs/guide/wall_limits.md.\n");
-}
-
-}  // namespace
-
-void print_limits(const configuration& c) {
-  if (c.mechanism == "xy_table") print(ph::xy_table<double>(c.xy_table), c);
-  else if (c.mechanism == "five_bar") print(ph::five_bar<double>(c.five_bar), c);
-  else print(ph::tendon_two_link<double>(c.tendon_two_link), c);
 }
 
 }  // namespace example

@@ -1,5 +1,7 @@
 #include <report/report.hpp>
 
+#include <passive_haptics/runtime/device_file/device_text.hpp>
+
 #include <fcntl.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
@@ -8,8 +10,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace example {
 namespace {
@@ -90,6 +94,11 @@ std::string fitting(const std::string& table, const winsize& terminal) {
 
 }  // namespace
 
+std::string device_name(const std::string& log) {
+  const std::filesystem::path path(log);
+  return (path.extension() == ".csv" ? path.parent_path() / path.stem() : path).string() + ".device.toml";
+}
+
 std::string duration(double nanoseconds) {
   if (nanoseconds < 1e3) return text("%.0f ns", nanoseconds);
   if (nanoseconds < 1e5) return text("%.1f us", 1e-3 * nanoseconds);
@@ -112,10 +121,12 @@ std::string bars(const ph::duration_histogram& h) {
 
 report_sink::report_sink(const session_options& options, const configuration& c)
     : name_(c.log),
-      title_(c.mechanism + ", " + c.port + " device, " + c.sensor + " force sensor, " + c.law),
+      title_(summary(c)),
       live_(options.live),
       live_port_(options.live_port),
-      joints_{std::vector<bool>(axes, c.mechanism == "xy_table")} {
+      device_text_(ph::runtime::device_text(c.device)) {
+  const joint_motion motion(*c.mechanism);
+  joints_ = {std::vector<bool>(motion.slides.begin(), motion.slides.end())};
   for (std::size_t i = 0; i < c.curves.size(); ++i) current_limit_[i] = c.curves[i].current_limit;
 }
 
@@ -131,8 +142,11 @@ std::string report_sink::open() {
     return "UDP port " + std::to_string(live_port_) + ": " + error;
   put(row_, joints_, {});  // names the columns
   if (name_.empty()) return {};
-  file_ = std::make_unique<output_file>(name_);
+  auto file = std::make_unique<output_file>(name_);  // not there without the other
+  device_file_ = std::make_unique<output_file>(device_name(name_), leftover::replace);
+  file_ = std::move(file);
   file_->stream() << row_.header();
+  device_file_->stream() << device_text_;
   return {};
 }
 
@@ -145,6 +159,7 @@ void report_sink::take(const record& r) {
   if (live_port_ != 0) stream_.send(row_);
   if (!file_) return;
   file_->keep();
+  device_file_->keep();
   file_->stream() << row_.csv();
 }
 
@@ -255,11 +270,13 @@ void report_sink::close() {
   if (!file_) return;
   // Where nothing ran, the log of a run before stays
   if (count_ > 0) try {
+      device_file_->commit();  // first: whoever has the whole log has its device
       file_->commit();
     } catch (const std::runtime_error& failed) {
       throw std::runtime_error(std::string("error: ").append(failed.what()));
     }
   file_.reset();
+  device_file_.reset();
 }
 
 }  // namespace example

@@ -20,9 +20,9 @@
 
 namespace example {
 
-/// A RecordSink: a log, whole or not at all, the same as a stream for who draws it, and a table in the
-/// terminal; what is lost, as it happens. Lives in the recorder's process. A terminal or a pipe that nobody
-/// reads loses tables; the file goes on.
+/// A RecordSink: a log and a device file of its device, whole or not at all, the same log as a stream for who
+/// draws it, and a table in the terminal; what is lost, as it happens. Lives in the recorder's process. A
+/// terminal or a pipe that nobody reads loses tables; the files go on.
 class report_sink {
  public:
   /// Nothing is shown without `live`, no file is written without a name, nothing sent without a port.
@@ -49,7 +49,8 @@ class report_sink {
   log_row row_;
   live_stream stream_;
   std::array<double, axes> current_limit_{};
-  std::unique_ptr<output_file> file_;
+  std::string device_text_;
+  std::unique_ptr<output_file> file_, device_file_;
   record last_;
   std::uint64_t count_ = 0, kept_ = 0, lost_ = 0, missing_ = 0;
   double shown_ = -1;  // time of the last record that was shown [s]
@@ -59,6 +60,9 @@ class report_sink {
   std::string pending_;  // what is shown but had no room yet
   ph::duration_histogram late_, compute_;
 };
+
+/// Name of the device file that replays a log: LOG.device.toml of LOG.csv.
+std::string device_name(const std::string& log);
 
 /// A histogram as lines of a table, durations by powers of two.
 std::string bars(const ph::duration_histogram& h);

@@ -34,8 +34,8 @@ class simulation {
   virtual void record(bool is_on) = 0;
   /// The record as a log.
   virtual std::string log() const = 0;
-  /// The command that replays it.
-  virtual std::string replay_command() const = 0;
+  /// The device file with which it replays; empty where there is none.
+  virtual std::string device_file() const = 0;
 
   static constexpr int ring_size = 4096;  ///< Cycles that the ring holds.
 };

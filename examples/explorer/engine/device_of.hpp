@@ -23,7 +23,7 @@ namespace explorer {
 /// What all descriptions share.
 struct described {
   static constexpr bool slides = false;     ///< Joints turn.
-  static constexpr bool has_replay = true;  ///< The program replay knows the mechanism.
+  static constexpr bool has_replay = true;  ///< Device files have the mechanism, as device_type or else id.
   /// There is no wall to go along.
   [[noreturn]] static void refuse_hand() {
     refuse("hand", "along", "pointer, where there is no wall: scene=none");

@@ -159,8 +159,8 @@ const char* sim_log(void* p) {
   simulation_at(p).text = simulation_at(p).held->log();
   return simulation_at(p).text.c_str();
 }
-const char* sim_replay_command(void* p) {
-  simulation_at(p).command = simulation_at(p).held->replay_command();
+const char* sim_device_file(void* p) {
+  simulation_at(p).command = simulation_at(p).held->device_file();
   return simulation_at(p).command.c_str();
 }
 

@@ -180,9 +180,9 @@ EXPLORER_EXPORT double* sim_figures(void* sim);
 EXPLORER_EXPORT void sim_record(void* sim, int is_on);
 /// The record as a log of the library, CSV (docs/guide/log.md): what `./examples/run replay` reads.
 EXPLORER_EXPORT const char* sim_log(void* sim);
-/// The command line that replays this log, for the page to show; "" where the program replay lacks part of
+/// The device file with which `./examples/run replay` replays this log; "" where device files lack part of
 /// the device.
-EXPLORER_EXPORT const char* sim_replay_command(void* sim);
+EXPLORER_EXPORT const char* sim_device_file(void* sim);
 
 // A dropped log
 

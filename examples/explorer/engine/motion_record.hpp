@@ -1,5 +1,5 @@
 /// @file
-/// A record of a simulated motion: a log of the library, and the command that replays it.
+/// A record of a simulated motion: a log of the library, and the device file that replays it.
 #pragma once
 
 #include "configuration.hpp"
@@ -61,44 +61,55 @@ class motion_record {
   std::vector<recorded_cycle<M>> cycles_;
 };
 
-/// Whether the program replay (examples/05_replay.cpp) has all that a device is made of.
+/// The device file with which `replay --config` replays a log of this device; empty for a mechanism or a wall
+/// that device files do not have.
 template <class E>
-bool is_replayable(const configuration<E>& c) {
-  configuration<E> now = c, usual;
-  usual.law = now.law;
-  const field_list fields = now.fields(), defaults = usual.fields();
-  const std::string& scene = c.top.scene;
-  if (!E::has_replay || c.wall.rate != 0 || c.law == law_kind::on_off_control) return false;
-  if (!scene.starts_with("plane:") && !scene.starts_with("solid:") && !scene.starts_with("hollow:"))
-    return false;
-  for (std::size_t k = 0; k < fields.size(); ++k) {
-    const std::string_view name = fields[k].name, group = fields[k].group;
-    if (name == "brakes.torque_limit" || name == "brakes.rate_dead_band") {
-      for (int i = 1; i < fields[k].count; ++i)
-        if (fields[k].numbers[i] != fields[k].numbers[0]) return false;
-    } else if ((group == "brakes" || group == "law" || group == "options") &&
-               text_of(fields[k]) != text_of(defaults[k])) {
-      return false;
+std::string device_file(const configuration<E>& c) {
+  const std::string kind = c.top.scene.substr(0, c.top.scene.find(':'));
+  const bool is_round = kind == "solid" || kind == "hollow";
+  if (!E::has_replay || (!is_round && kind != "plane")) return "";
+  configuration<E> now = c;
+  const field_list fields = now.fields();
+  const auto add_group = [&](std::string& text, std::string_view prefix) {
+    for (const field& f : fields) {
+      if (!f.name.starts_with(prefix) || f.name == "brakes.present") continue;
+      const std::string value = text_of(f);
+      text.append(f.about.name).append(" = ");
+      if (f.numbers == nullptr) text.append("\"").append(value).append("\"\n");
+      else if (f.count == 1) text.append(value).append("\n");
+      else text.append("[").append(value).append("]\n");
     }
+  };
+  const auto with_brackets = [](const auto& v) {
+    std::string text = "[";
+    for (int i = 0; i < v.size(); ++i) text.append(i == 0 ? "" : ", ").append(number_text(v[i]));
+    return text.append("]");
+  };
+  std::string text = "[mechanism]\ntype = \"";
+  if constexpr (requires { E::device_type; }) text.append(E::device_type);
+  else text.append(E::id);
+  add_group(text.append("\"\n"), "mechanism.");
+  add_group(text.append("\n[brakes]\n"), "brakes.");
+  if (!c.on.present.isOnes(0)) {
+    const auto bounds = now.switchable();
+    text.append("torque_lower = ").append(with_brackets(bounds.torque_lower)).append("\n");
+    text.append("torque_upper = ").append(with_brackets(bounds.torque_upper)).append("\n");
   }
-  return true;
-}
-
-/// The command that replays a log of this device; empty where the program lacks part of it.
-template <class E>
-std::string replay_command(const configuration<E>& c) {
-  if (!is_replayable(c)) return "";
-  std::string command = std::string("./examples/run replay --input FILE --mechanism ") + E::id + " --wall " +
-                        c.top.scene + " --stiffness " + number_text(c.wall.stiffness) + " --law " +
-                        id_of(c.law) + " --limit " + number_text(c.brakes.torque_limit[0]) + " --dead-band " +
-                        number_text(c.brakes.rate_dead_band[0]);
-  configuration<E> now = c, usual;
-  usual.law = now.law;
-  const field_list fields = now.fields(), defaults = usual.fields();
-  for (std::size_t k = 0; k < fields.size(); ++k)
-    if (fields[k].name.starts_with("mechanism.") && text_of(fields[k]) != text_of(defaults[k]))
-      command.append(" --parameter ").append(fields[k].about.name).append("=").append(text_of(fields[k]));
-  return command;
+  add_group(text.append("\n[law]\ntype = \"").append(id_of(c.law)).append("\"\n"), "law.");
+  add_group(text, "options.");
+  using vector = ph::vector<double, configuration<E>::d>;
+  const std::vector<double> numbers =
+      numbers_of("scene", std::string_view(c.top.scene).substr(kind.size() + 1));
+  text.append("\n[[walls]]\nstiffness = ").append(number_text(c.wall.stiffness)).append("\n");
+  const std::string point = with_brackets(vector(numbers.data()));
+  if (is_round)
+    text.append("type = \"ball\"\ncentre = " + point + "\nradius = " + number_text(numbers.back()) +
+                "\ninside = \"" + kind + "\"\n");
+  else
+    text.append("type = \"half_space\"\nsurface_point = " + point +
+                "\nnormal = " + with_brackets(vector(numbers.data() + vector::SizeAtCompileTime)) + "\n");
+  if (c.wall.rate > 0) text.append("\n[scene]\nperiod = ").append(number_text(1 / c.wall.rate)).append("\n");
+  return text;
 }
 
 }  // namespace explorer

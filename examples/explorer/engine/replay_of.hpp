@@ -24,13 +24,16 @@ class replay_of final : public replayed_log {
   replay_of(const C& c, const std::string& text) {
     std::istringstream in(text);
     example::log_reader log(in, "the log");
-    const example::motion_columns<M> where(log, true);
+    const example::motion_columns where(log, {C::n, d, m}, true);
     const M model = E::make(c.mechanism);
     const auto control = c.control(model, c.law, c.walls());
     const std::optional<any_shape<d>> shape = shape_of<d>(c.top.scene);
     value_table& t = columns_.table;
     while (log.next()) {
-      const ph::device_state<M> state = where.state();
+      const example::logged_motion now = where.motion();
+      const ph::device_state<M> state{now.time, ph::joint_vector<M>(now.q.data()),
+                                      ph::joint_vector<M>(now.qd.data()),
+                                      ph::task_vector<M>(now.hand_force.data())};
       std::fill_n(t.data(), t.size(), std::numeric_limits<double>::quiet_NaN());
       t.put(columns_.t, state.time);
       t.put_column(columns_.q, state.q, C::n);
@@ -49,7 +52,7 @@ class replay_of final : public replayed_log {
         for (int i = 0; i < m; ++i) t.put(columns_.brake_state + i, int(doing_of(c, i, w[i], r.capacity[i])));
         if (const auto logged = where.capacity()) {
           agreement_[1] += 1;
-          agreement_[0] += *logged == r.capacity ? 1 : 0;
+          agreement_[0] += *logged == ph::runtime::joint_numbers(r.capacity) ? 1 : 0;
         }
       }
       rows_.insert(rows_.end(), t.data(), t.data() + t.size());

@@ -103,7 +103,7 @@ class simulation_of final : public simulation {
   }
 
   std::string log() const override { return record_.log(); }
-  std::string replay_command() const override { return explorer::replay_command(c_); }
+  std::string device_file() const override { return explorer::device_file(c_); }
 
  private:
   static constexpr double way_of_meter =

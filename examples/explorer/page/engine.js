@@ -132,7 +132,7 @@ function wrap_engine(wasm) {
       figures: () => [...numbers_at(wasm._sim_figures(handle), 8)],
       record: is_on => wasm._sim_record(handle, is_on ? 1 : 0),
       log: () => text_at(wasm._sim_log(handle)),
-      replay_command: () => text_at(wasm._sim_replay_command(handle)),
+      device_file: () => text_at(wasm._sim_device_file(handle)),
       end: () => wasm._sim_delete(handle),
     };
   }

@@ -6,7 +6,7 @@ import {make_tracks} from './tracks.js';
 const late_shown = 1500; // [ms]
 
 // code, bytes: the engine; worker_code: the text of the worker. events: {started(), refused(reason),
-// log(text, command), replayed()}.
+// log(text, device), replayed()}.
 export function make_runner(code, bytes, worker_code, events) {
   const worker = new Worker(URL.createObjectURL(new Blob([worker_code], {type: 'text/javascript'})));
   let run = 0,

@@ -10,9 +10,11 @@ runner_events.replayed = () => {
   say('The recorded motion has ended.');
 };
 runner_events.refused = ({reason}) => warn(reason);
-runner_events.log = ({text, command}) => {
+runner_events.log = ({text, device}) => {
+  if (device) save_text('explorer_device.toml', device, 'application/toml');
   save_text('explorer_log.csv', text, 'text/csv');
-  say('explorer_log.csv is a log of the library. ' + (command ? 'It replays with: ' + command : ''));
+  const command = './examples/run replay --input=explorer_log.csv --config=explorer_device.toml';
+  say('explorer_log.csv is a log of the library. ' + (device ? 'It replays with: ' + command : ''));
 };
 
 export function set_paused(is_on) {

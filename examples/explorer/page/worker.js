@@ -74,7 +74,7 @@ const handlers = {
   log({law}) {
     const simulation = simulations[law];
     if (simulation)
-      postMessage({kind: 'log', law, text: simulation.log(), command: simulation.replay_command()});
+      postMessage({kind: 'log', law, text: simulation.log(), device: simulation.device_file()});
   },
   replay({run}) {
     if (!recording || !recording.length) return;

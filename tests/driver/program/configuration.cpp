@@ -33,7 +33,7 @@ TEST_F(a_configuration, that_is_shipped_is_right) {
 }
 
 TEST_F(a_configuration, tells_what_its_wall_can_be) {
-  for (const std::string mechanism : {"tendon_two_link\"\n", "xy_table\"\n",
+  for (const std::string mechanism : {"tendon_two_link\"\n", "two_link\"\n", "xy_table\"\n",
                                       "five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\nlink = [0, 0]\n"}) {
     file("c.toml", "[mechanism]\ntype = \"" + mechanism);
     const outcome o = run({"--config", "c.toml", "--limits"});
@@ -59,7 +59,7 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
       {"[brakes]\ncurrent_limt = 1", "2: unknown key 'brakes.current_limt', expected one of "},
       {"[sensor]\ntype = \"none\"\nmounting = 1", "3: unknown key 'sensor.mounting', expected one of type"},
       {"mechanism = 3", "1: mechanism = 3, expected a table, [mechanism]"},
-      {"[wall]\npoint = [0, 1]", "1: wall = a table, expected tables, [[wall]] each"},
+      {"[walls]\nsurface_point = [0, 1]", "1: walls = a table, expected tables, [[walls]] each"},
       {"log = 3", "1: log = 3, expected a text in quotes"},
       {"[brakes]\ncurrent_limit = \"1\"",
        "2: brakes.current_limit = '1', expected 2 numbers, or one for all"},
@@ -91,17 +91,20 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
       {"[sensor]\nmounting = -90",
        "2: [sensor] mounting [rad] = -90, expected at most 6.28319; this looks like degrees: in radians "
        "it is -1.5708; if it is meant, allow_large = [\"mounting\"]\n"},
-      {"[[wall]]\npoint = 0", "2: wall[1].point = 0, expected 2 numbers\n"},
+      {"[[walls]]\nsurface_point = 0",
+       "2: walls[1].surface_point = 0, expected 2 numbers: a finite number [m]\n"},
       {"[simulation]\ndirection = 1", "2: simulation.direction = 1, expected 2 numbers: a direction [1]\n"},
-      {"[[wall]]\nstiffness = -1", "2: wall[1].stiffness = -1, expected a finite number >= 0 [N/m]\n"},
+      {"[[walls]]\nstiffness = -1",
+       "2: [walls[1]] stiffness of a wall [N/m] = -1, expected a finite number >= 0\n"},
       {"[homing]\nmax_start_depth = inf",
        "2: [homing] max_start_depth [m] = inf, expected a finite number >= 0"},
       {"[homing]\npose = [inf, 0]", "2: [homing] pose[0] [rad or m] = inf, expected a finite number"},
       {"[mechanism]\ntype = \"five_bar\"",
-       " [homing] pose is missing, expected the joint positions at the start"},
-      {"[[wall]]\n[[wall]]\nnormal = [0, 0]", "3: [wall[2]] "},
-      {"law = \"direct_control\"\n[sensor]\ntype = \"none\"",
-       "1: law = \"direct_control\" needs a force sensor"},
+       " [homing] pose is missing, expected joint positions at the start"},
+      {"[[walls]]\n[[walls]]\nnormal = [0, 0]", "3: [walls[2]] "},
+      {"law.type = \"direct_control\"\n[sensor]\ntype = \"none\"",
+       "1: law.type = 'direct_control', expected one of \"on_off_control\", \"no_direct_control\": "
+       "direct_control needs a hand force, and [sensor] has type = \"none\"\n"},
       {"[port]\ntype = \"serial\"",
        "1: [port] type = \"serial\" and [sensor] type = \"simulated\", expected both"},
       {"[port]\ntype = \"serial\"\nbaud = 1234", "3: [port] baud [bit/s] = 1234, expected one of 9600, "},
@@ -115,10 +118,53 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
   });
 }
 
+// Two joints with two brakes in the plane; one without inertia can be driven, not simulated.
+TEST_F(a_configuration, takes_each_mechanism_that_it_can_drive) {
+  const std::string arm =
+      "[mechanism]\ntype = \"planar_chain_2\"\nhandle = [0.3, 0]\n[[mechanism.joints]]\npoint = [0, 0]\n"
+      "[[mechanism.joints]]\npoint = [0.15, 0]\n[homing]\npose = [1.8812, -1.3055]\n";
+  expect_named({
+      {"[mechanism]\ntype = \"delta\"",
+       "2: mechanism.type = 'delta', expected one of \"tendon_two_link\", \"two_link\", \"xy_table\", "
+       "\"five_bar\", \"planar_chain_2\", \"planar_chain_2_with_inertia\": this program drives two joints "
+       "with two brakes in the plane\n"},
+      {"[mechanism]\ntype = \"five_bar_with_four_brakes\"", "2: mechanism.type = 'five_bar_with_four_"},
+      {arm,
+       "1: [mechanism] type = \"planar_chain_2\", expected one with inertia, which a simulated device "
+       "needs\n"},
+      {"[[brakes.model]]",
+       "1: brakes.model = [ a table ], expected 2 tables [[brakes.model]], one for each "},
+      {"[[brakes.model]]\n[[brakes.model]]\n[simulation]\nbrake = \"coulomb\"",
+       "4: simulation.brake = 'coulomb', expected no brakes here, as the file has [[brakes.model]]"},
+  });
+  const outcome o = check(arm + "[port]\ntype = \"serial\"\n[sensor]\ntype = \"none\"\n");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(has(o.out, "planar_chain_2, serial device, none force sensor, on_off_control\n")) << o.out;
+  EXPECT_EQ(
+      run({"--config", "c.toml", "--simulate"}).err,
+      "error: [mechanism] type = \"planar_chain_2\", expected one with inertia, which a simulated device "
+      "needs\n");
+  EXPECT_EQ(check("walls = []\n[[brakes.model]]\n[[brakes.model]]\ntype = \"stribeck\"\n").status, 0);
+  EXPECT_EQ(run({"--config", "c.toml", "--limits"}).err,
+            "error: walls = [], expected one or more for --limits, which is about the first\n");
+}
+
+TEST_F(a_configuration, with_an_old_key_gets_the_new_name) {
+  expect_named({
+      {"law = \"direct_control\"",
+       "1: law = 'direct_control', expected a table, [law], with type = \"...\": the key was renamed\n"},
+      {"[[wall]]\nnormal = [0, -1]", "1: wall = [ a table ], expected [[walls]]: the key was renamed\n"},
+      {"[[walls]]\ntype = \"plane\"", "2: walls[1].type = 'plane', expected \"half_space\": the shape was "},
+      {"[[walls]]\npoint = [0, 1]", "2: walls[1].point = [ 0, 1 ], expected surface_point: the key was "},
+      {"[[walls]]\ntype = \"ball\"\ncentre = [0, 0]\nradius = 0.1\nfilling = \"solid\"",
+       "5: walls[1].filling = 'solid', expected inside: the key was renamed\n"},
+  });
+}
+
 // What would be ignored is a mistake.
 TEST_F(a_configuration, says_nothing_that_nobody_reads) {
   const std::string card =
-      "law = \"no_direct_control\"\n[sensor]\ntype = \"none\"\n[port]\ntype = \"comedi\"\n"
+      "law.type = \"no_direct_control\"\n[sensor]\ntype = \"none\"\n[port]\ntype = \"comedi\"\n"
       "amperes_per_volt = 0.1\n";
   const std::string tables = "[brakes]\ntable_1 = [[0, 0], [1, 1]]\n";
   const std::string five_bar = "[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\n";
@@ -131,7 +177,7 @@ TEST_F(a_configuration, says_nothing_that_nobody_reads) {
        "2: brakes.loss_per_kelvin = 0.002, expected 0, as no sensor of this program reads"},
       {five_bar, "5: [sensor] link is missing, expected how far each joint turns the sensor: both angles "},
       {"[mechanism]\ntype = \"xy_table\"\n[sensor]\nlink = [1, 1]",
-       "4: sensor.link = [ 1, 1 ], expected 0, as the slides of an xy_table do not turn the sensor"},
+       "4: sensor.link = [ 1, 1 ], expected 0, as a slide does not turn the sensor; remove it"},
       {"[sensor]\ngravity = [0, -9.81]",
        "1: [sensor] handle_mass [kg] = 0, expected > 0 where gravity is given, "},
       {"[sensor]\ntare = false\ntare_tolerance = 0.5",
@@ -156,22 +202,23 @@ TEST_F(a_configuration, says_nothing_that_nobody_reads) {
            card + "[simulation]\npush = 3",
        }) {
     const outcome o =
-        check((text.starts_with(five_bar + "type") ? "law = \"no_direct_control\"\n" : "") + text);
+        check((text.starts_with(five_bar + "type") ? "law.type = \"no_direct_control\"\n" : "") + text);
     EXPECT_EQ(o.status, 0) << text << "\n" << o.err;
   }
 }
 
 TEST_F(a_configuration, in_another_unit_or_that_switches_something_off_is_remarked_upon) {
-  const outcome o =
-      check("[mechanism]\nlength_1 = 15\n[homing]\npose = [0, 0]\n[[wall]]\npoint = [0, 20]\nstiffness = 10");
+  const outcome o = check(
+      "[mechanism]\nlength_1 = 15\n[homing]\npose = [0, 0]\n[[walls]]\nsurface_point = [0, 20]\nstiffness = "
+      "10");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(
-      o.err.starts_with("remark: length_1 [m] = 15, usually within 5 m: millimetres?\n"
-                        "remark: stiffness of a wall [N/m] = 10, usually 100 to 1e9: N/mm?\n"))
+      o.err.starts_with("remark: mechanism: length_1 [m] = 15, usually within 5 m: millimetres?\n"
+                        "remark: wall 1: stiffness of a wall [N/m] = 10, usually 100 to 1e9: N/mm?\n"))
       << o.err;
-  EXPECT_EQ(check("[brakes]\ntorque_limit = [0, 1]\n[[wall]]\nstiffness = 0").err,
-            "remark: torque_limit[0] [N m] = 0: the brake is off\n"
-            "remark: stiffness of a wall [N/m] = 0: the wall exerts no force\n");
+  EXPECT_EQ(check("[brakes]\ntorque_limit = [0, 1]\n[[walls]]\nstiffness = 0").err,
+            "remark: brakes: torque_limit[0] [N m] = 0: the brake is off\n"
+            "remark: wall 1: stiffness of a wall [N/m] = 0: the wall exerts no force\n");
 }
 
 TEST_F(a_configuration, that_is_no_file_is_named) {
@@ -197,7 +244,7 @@ TEST_F(a_configuration, that_is_no_file_is_named) {
 TEST_F(a_configuration, that_is_long_or_deep_is_refused_by_its_beginning) {
   const std::string text(100'000, 'x'), begins(100, 'x');
   for (const std::string& line :
-       {"law = \"" + text + "\"", text + " = 1", "allow_large = [\"" + text + "\"]"}) {
+       {"law.type = \"" + text + "\"", text + " = 1", "allow_large = [\"" + text + "\"]"}) {
     const outcome o = check(line);
     EXPECT_EQ(o.status, 2);
     EXPECT_LT(o.err.size(), 1000u);
@@ -239,7 +286,7 @@ TEST_F(a_configuration, with_any_value_that_is_out_of_all_bounds_is_refused) {
     for (const char* key : keys)
       for (const char* value : {"-9223372036854775807", "1e300", "nan"}) {
         const std::string line = std::string(key) + " = " + value;
-        const outcome o = check("law = \"no_direct_control\"\n" + std::string(before) + line);
+        const outcome o = check("law.type = \"no_direct_control\"\n" + std::string(before) + line);
         EXPECT_EQ(o.status, 2) << before << line << "\n" << o.out << o.err;
         EXPECT_TRUE(o.err.starts_with("error: c.toml:")) << o.err;
       }
@@ -257,11 +304,12 @@ TEST_F(a_configuration, has_values_of_no_device_only_if_its_user_says_so) {
         {"[encoders]\ncounts_per_turn = 1e-9", "counts_per_turn"},
         {"[encoders]\nmax_rate = 5e-324", "max_rate"},
         {"[mechanism]\nreduction_2 = 1e9", "reduction_2"},
-        {"[mechanism]\nlength_1 = 150\n[homing]\npose = [0, 0]\n[[wall]]\npoint = [0, 99]", "length_1"},
+        {"[mechanism]\nlength_1 = 150\n[homing]\npose = [0, 0]\n[[walls]]\nsurface_point = [0, 99]",
+         "length_1"},
         {"[brakes]\ntime_constant = 20", "time_constant"},
         {"[brakes]\ntime_constant = [0.02, 1e-300]", "time_constant"},
-        {"[[wall]]\npoint = [0, 1e9]", "point"},
-        {"[[wall]]\nstiffness = 1e300", "stiffness"}}) {
+        {"[[walls]]\nsurface_point = [0, 1e9]", "surface_point"},
+        {"[[walls]]\nstiffness = 1e300", "stiffness"}}) {
     const outcome refused = check(text);
     EXPECT_EQ(refused.status, 2) << key;
     const std::string fix = std::string("; if it is meant, allow_large = [\"") + key + "\"]\n";

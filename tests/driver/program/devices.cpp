@@ -23,7 +23,7 @@ struct a_board : a_driver_at_a_terminal {
   }
   static settings connected(double hold_over = 5) {
     return {.hold_over = hold_over,
-            .top = "law = \"no_direct_control\"",
+            .top = "law.type = \"no_direct_control\"",
             .sections = "[port]\ntype = \"serial\"\ndevice = \"brakes\"\nopen_timeout = 20\n",
             .sensor = "type = \"none\""};
   }
@@ -44,7 +44,7 @@ TEST_F(a_board, that_is_gone_releases_at_once) {
 TEST_F(a_board, and_a_force_sensor_go_together_until_the_sensor_falls_silent) {
   net_ft_peer peer;
   settings both = connected(2);
-  both.top = "law = \"direct_control\"";
+  both.top = "law.type = \"direct_control\"";
   both.sensor =
       "type = \"net_ft\"\nhost = \"127.0.0.1\"\nopen_timeout = 20\nport = " + std::to_string(peer.port());
   ASSERT_NO_FATAL_FAILURE(drive(both));

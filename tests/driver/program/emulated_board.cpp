@@ -147,7 +147,7 @@ struct an_emulated_board : a_driver_at_a_terminal {
       ASSERT_NE(text.find(old), std::string::npos) << old;
       text.replace(text.find(old), old.size(), now);
     };
-    put("law = \"velocity_direct_control\"", "law = \"no_direct_control\"");
+    put("type = \"velocity_direct_control\"", "type = \"no_direct_control\"");
     put("\"/dev/ttyACM0\"", "\"" + line->path() + "\"");
     put("open_timeout = 3", "open_timeout = 20");
     put("pose = ", "max_gap = 5\nduration = 0.1\npose = ");

@@ -22,14 +22,14 @@ TEST_F(a_home_pose, is_printed_with_its_distance_to_each_wall) {
   EXPECT_TRUE(run({"--check"})
                   .out.ends_with("direct_control\n"
                                  "home  q (1.88121, -1.30547) rad, handle at (0.0800, 0.2245) m\n"
-                                 "wall 1 (plane): 0.5 mm in front of it\n"));
+                                 "wall 1 (half_space): 0.5 mm in front of it\n"));
   const std::string walls =
-      "[[wall]]\nnormal = [0, 1]\n[[wall]]\ntype = \"ball\"\ncentre = [0.08, 0.3]\nradius = 0.05\n"
-      "[[wall]]\ntype = \"ball\"\ncentre = [0.08, 0.14]\nradius = 0.0825\nfilling = \"hollow\"\n";
+      "[[walls]]\nnormal = [0, 1]\n[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.3]\nradius = 0.05\n"
+      "[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.14]\nradius = 0.0825\ninside = \"hollow\"\n";
   const std::string distances =
-      "wall 1 (plane): 0.5 mm inside it: does its normal point to the free side?\n"
+      "wall 1 (half_space): 0.5 mm inside it: does its normal point to the free side?\n"
       "wall 2 (ball): 25.5 mm in front of it\n"
-      "wall 3 (ball): 2.0 mm inside it: is its filling right (solid: free outside, hollow: free inside)?\n";
+      "wall 3 (ball): 2.0 mm inside it: is its inside right (solid: free outside, hollow: free inside)?\n";
   const outcome o = check(walls);
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(o.out.ends_with(distances)) << o.out;
@@ -43,21 +43,23 @@ TEST_F(a_home_pose, deep_in_a_wall_is_refused_with_its_likely_cause) {
   const std::string sides =
       "; is the pose that of this device, in radians, not degrees; is the wall where it "
       "should be?\n";
-  EXPECT_EQ(check("[homing]\npose = [107.785, -74.8]").err,
-            "error: c.toml:2: [homing] pose = (107.785, -74.8) rad, handle at (0.0849, 0.2738) m, 48.8 mm "
-            "inside wall 1 (plane), expected at most max_start_depth, 5 mm; angles beyond a turn look like "
-            "degrees: in radians they are (1.8812, -1.3055)\n");
   EXPECT_EQ(
-      check("[[wall]]\n[[wall]]\npoint = [0, 0.1]\nnormal = [0, 1]\n[[wall]]\npoint = [0, 0.25]\nnormal "
+      check("[homing]\npose = [107.785, -74.8]").err,
+      "error: c.toml:2: [homing] pose = (107.785, -74.8) rad, handle at (0.0849, 0.2738) m, 48.8 mm "
+      "inside wall 1 (half_space), expected at most max_start_depth, 5 mm; angles beyond a turn look like "
+      "degrees: in radians they are (1.8812, -1.3055)\n");
+  EXPECT_EQ(
+      check("[[walls]]\n[[walls]]\nsurface_point = [0, 0.1]\nnormal = [0, 1]\n[[walls]]\nsurface_point = [0, "
+            "0.25]\nnormal "
             "= [0, 1]\n[homing]\npose = [1.8812, -1.3055]")
           .err,
       "error: c.toml:9: [homing] pose = (1.8812, -1.3055) rad, handle at (0.0800, 0.2245) m, 25.5 mm "
-      "inside wall 3 (plane), expected at most max_start_depth, 5 mm; does its normal point to the "
+      "inside wall 3 (half_space), expected at most max_start_depth, 5 mm; does its normal point to the "
       "free side" +
           sides);
-  EXPECT_EQ(check("[[wall]]\ntype = \"ball\"\ncentre = [0.08, 0.2345]\nradius = 0.05\n").err,
+  EXPECT_EQ(check("[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.2345]\nradius = 0.05\n").err,
             "error: c.toml: [homing] pose = (1.88121, -1.30547) rad, handle at (0.0800, 0.2245) m, 40.0 mm "
-            "inside wall 1 (ball), expected at most max_start_depth, 5 mm; is its filling right (solid: "
+            "inside wall 1 (ball), expected at most max_start_depth, 5 mm; is its inside right (solid: "
             "free outside, hollow: free inside)" +
                 sides);
 }
@@ -91,11 +93,11 @@ TEST_F(a_home_pose, of_no_handle_is_refused) {
 }
 
 TEST_F(a_home_pose, may_be_as_deep_as_the_file_says) {
-  const std::string deep = "[[wall]]\npoint = [0, 0.2045]\n[homing]\n";
+  const std::string deep = "[[walls]]\nsurface_point = [0, 0.2045]\n[homing]\n";
   EXPECT_EQ(check(deep).status, 2);
   const outcome o = check(deep + "max_start_depth = 0.03\n");
   EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_TRUE(has(o.out, "wall 1 (plane): 20.0 mm inside it: does")) << o.out;
+  EXPECT_TRUE(has(o.out, "wall 1 (half_space): 20.0 mm inside it: does")) << o.out;
   EXPECT_TRUE(has(check("[homing]\nmax_start_depth = 1").err,
                   "max_start_depth [m] = 1, expected at most 0.1; if it is meant, allow_large"));
 }
@@ -152,7 +154,7 @@ class placed_device {
 struct a_handle : a_driver_at_a_terminal {
   static settings with(const net_ft_peer& sensor) {
     return {.hold_over = 2,
-            .top = "law = \"no_direct_control\"",
+            .top = "law.type = \"no_direct_control\"",
             .sections = "[port]\ntype = \"serial\"\ndevice = \"brakes\"\nopen_timeout = 20\n",
             .sensor = "type = \"net_ft\"\nhost = \"127.0.0.1\"\nopen_timeout = 20\nport = " +
                       std::to_string(sensor.port())};

@@ -65,12 +65,14 @@ TEST_F(a_log, names_its_version_and_units) {
 TEST_F(a_log, replays_to_the_same_decisions_to_the_last_digit) {
   for (const char* law : {"direct_control", "velocity_direct_control"}) {
     const settings s{.hand_start = 0.5,
-                     .top = std::string("law = \"") + law + "\"",
+                     .top = std::string("law.type = \"") + law + "\"",
                      .sections = "[mechanism]\nlength_1 = 0.151\n[brakes]\nrate_dead_band = 0.03\n"};
     ASSERT_EQ(run(s.text(), {"--seconds=2", "--quiet"}).status, 0);
     const auto replayed_from = [&](const char* input, const char* output, const char* length = "0.151") {
-      return replay({std::string("--input=") + input, std::string("--law=") + law, "--dead-band=0.03",
-                     std::string("--output=") + output, std::string("--parameter=length_1=") + length});
+      file("device.toml", std::string("[mechanism]\nlength_1 = ") + length +
+                              "\n[brakes]\nrate_dead_band = 0.03\n[law]\ntype = \"" + law + "\"\n");
+      return replay(
+          {"--config=device.toml", std::string("--input=") + input, std::string("--output=") + output});
     };
     const outcome o = replayed_from("brake_driver.csv", "once");
     ASSERT_EQ(o.status, 0) << o.err;
@@ -96,25 +98,71 @@ TEST_F(a_log, replays_to_the_same_decisions_to_the_last_digit) {
   }
 }
 
+// Limits and dead bands come from the calibration, a lead from the brakes.
+TEST_F(a_log, comes_with_a_device_file_that_replays_it) {
+  const std::string mechanism = "[mechanism]\nlength_1 = 0.151\n";
+  struct device {
+    std::string top, sections, sensor;
+  };
+  const device devices[] = {
+      {"", mechanism, ""},
+      {"law.type = \"saturated_direct_control\"", "[brakes]\ntable_1 = [[0, 0], [0.5, 0.3], [1, 0.9]]\n", ""},
+      {"", "[[walls]]\n[[walls]]\ntype = \"capsule\"\nfrom = [0.1, 0.3]\nto = [0.2, 0.3]\nradius = 0.0745\n",
+       "type = \"none\""},
+      {"law.type = \"direct_control\"",
+       "[mechanism]\ntype = \"two_link\"\n[[brakes.model]]\n[[brakes.model]]\ntype = \"magnetorheological\"\n"
+       "[[effects]]\ntype = \"viscous_field\"\nviscosity = [[5, 0], [0, 5]]\n[[walls]]\n[scene]\nperiod = "
+       "0.01\n",
+       ""}};
+  for (const auto& [top, sections, sensor] : devices) {
+    const settings s{.hand_start = 0.5, .top = top, .sections = sections, .sensor = sensor};
+    const outcome driven = run(s.text(), {"--seconds=2", "--quiet"});
+    ASSERT_EQ(driven.status, 0) << driven.err;
+    const fs::path device_file = directory / "brake_driver.device.toml";
+    EXPECT_TRUE(has(driven.out, "device: brake_driver.device.toml\n")) << driven.out;
+    ASSERT_TRUE(fs::exists(device_file));
+    EXPECT_FALSE(fs::exists(device_file.string() + ".part"));
+    const outcome o =
+        replay({"--config=brake_driver.device.toml", "--input=brake_driver.csv", "--output=again"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    const log_file all = log();
+    std::size_t decisions = 0, driven_brakes = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      decisions += !all.text(i, "capacity1").empty();
+      driven_brakes += all.number(i, "capacity1") > 0 || all.number(i, "capacity2") > 0;
+    }
+    EXPECT_GT(driven_brakes, 100U) << "of " << decisions << " decisions";
+    const std::string number = std::to_string(decisions);
+    EXPECT_TRUE(has(o.out, "to the last digit: " + number + " of " + number + "\n")) << sections << o.out;
+    EXPECT_EQ(log_file(directory / "again/replay.csv").size(), all.size());
+  }
+}
+
+TEST_F(a_log, is_not_begun_where_its_device_file_cannot_be) {
+  fs::create_directory(directory / "brake_driver.device.toml");
+  const outcome o = run({"--seconds=1", "--quiet"});
+  EXPECT_EQ(o.status, 1);
+  EXPECT_TRUE(has(o.err, "cannot write 'brake_driver.device.toml': it is a directory")) << o.err;
+  EXPECT_FALSE(fs::exists(log_path()) || fs::exists(part_path()));
+}
+
 TEST_F(a_log, that_is_wrong_is_named_with_file_line_and_column) {
   file("a.csv", "t,q1,q2,qd1,qd2,Fh_x,Fh_y\n0,1,2,3,4,5,x\n");
+  file("wrong.toml", "[mechanism]\nlength_1 = -1\n");
+  file("key.toml", "homeing = 1\n");
   for (const auto& [arguments, status, message] : {
            std::tuple{words{"--input=a.csv"}, 1,
                       "error: a.csv, line 2, column 7: 'x', expected a finite number for 'Fh_y'\n"},
            {words{"--input=none.csv"}, 1, "error: cannot read 'none.csv'\n"},
-           {words{"--parameter=length=1"}, 2,
-            "error: --parameter: 'length', expected one of length_1, length_2, mass_1, mass_2, handle_mass, "
-            "rotor_inertia_1, rotor_inertia_2, reduction_2\n"},
-           {words{"--parameter=length_1=x"}, 2,
-            "error: --parameter: length_1: 'x' in 'x', expected a finite number\n"},
-           {words{"--parameter=length_1=-1"}, 2,
-            "error: passive_haptics: length_1 [m] = -1, expected a finite number > 0\n"},
-           {words{"--mechanism=five_bar", "--parameter=assembly=up"}, 2,
-            "error: --parameter: 'up', expected one of left, right\n"},
-           {words{"--wall=cube:1"}, 2, "error: --wall: shape 'cube', expected plane:, solid: or hollow:\n"},
-           {words{"--law=direct"}, 2,
-            "error: --law: 'direct', expected one of direct_control, saturated_direct_control, "
-            "velocity_direct_control, no_direct_control; --help lists the options\n"},
+           {words{"--config=none.toml"}, 2, "error: none.toml: no such file\n"},
+           {words{"--config=wrong.toml"}, 2,
+            "error: wrong.toml:2: [mechanism] length_1 [m] = -1, expected a finite number > 0\n"},
+           {words{"--config=key.toml"}, 2,
+            "error: key.toml:1: unknown key 'homeing', expected one of allow_large, brakes, effects, "
+            "encoders, "
+            "homing, "
+            "law, log, loop, mechanism, port, safety, scene, sensor, simulation, walls; did you mean "
+            "\"homing\"?\n"},
        }) {
     const outcome o = replay(arguments);
     EXPECT_EQ(o.status, status) << message;
@@ -123,6 +171,18 @@ TEST_F(a_log, that_is_wrong_is_named_with_file_line_and_column) {
     EXPECT_FALSE(fs::exists(directory / "replay.csv") || fs::exists(directory / "replay.csv.part"));
   }
   EXPECT_EQ(replay({"--help"}).out, text_of(shipped + "/../help/05_replay.txt"));
+}
+
+// All that brake_driver reads besides.
+TEST_F(a_log, is_replayed_with_the_file_of_the_driver) {
+  file("c.toml",
+       "log = \"\"\nallow_large = [\"hold_over\"]\n[encoders]\nwindow = 16\n[homing]\nduration = 0.5\n"
+       "[brakes]\ncurrent_limit = 1\ntable_1 = [[0, 0], [1, 1]]\n[sensor]\ntype = \"net_ft\"\nlink = [1, 1]\n"
+       "[port]\ntype = \"serial\"\n[loop]\nperiod = 1e-3\n[safety]\nhold_over = 1e12\n[simulation]\npush = "
+       "2\n");
+  const outcome o = replay({"--config=c.toml"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.err, "");
 }
 
 TEST_F(a_log, comes_live_as_json_to_a_port_of_this_machine) {

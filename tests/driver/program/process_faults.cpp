@@ -72,7 +72,7 @@ class bench : public a_driver {
                .start_depth = 0.1};
     s.homing = case_.when == stage::homing ? 1 : 0.1;
     s.top += "\nlog = \"log/brake_driver.csv\"\n";
-    s.sections = std::string("[[wall]]\npoint = [0, 0.2245]\nnormal = [0, -1]\nstiffness = 1e7\n");
+    s.sections = std::string("[[walls]]\nsurface_point = [0, 0.2245]\nnormal = [0, -1]\nstiffness = 1e7\n");
     std::string text = s.text();
     const auto put = [&](const std::string& before, const std::string& more) {
       text.insert(text.find(before) + before.size(), more);

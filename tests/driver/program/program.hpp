@@ -135,7 +135,7 @@ struct settings {
   double hold_over = 5, supervisor_timeout = 5, max_sleep = 10, period = 1e-3, hand_start = 1000,
          watchdog = 30, homing = 0.1, start_depth = 0.005;
   // A law under which a pressing hand has a steady current
-  std::string top = "law = \"direct_control\"";
+  std::string top = "law.type = \"direct_control\"";
   std::string sections{}, sensor{};
 
   std::string text() const {

@@ -68,7 +68,7 @@ TEST_F(a_hand_at_the_wall, stays_there_where_the_configuration_names_no_law) {
 
 // That the log shows it.
 TEST_F(a_hand_at_the_wall, bounces_off_under_the_law_of_the_paper) {
-  const auto found = along_the_wall({.hand_start = 0.5, .top = "law = \"direct_control\""});
+  const auto found = along_the_wall({.hand_start = 0.5, .top = "law.type = \"direct_control\""});
   EXPECT_GT(found.cycles, 500u);
   EXPECT_GE(found.separations, 3);
 }

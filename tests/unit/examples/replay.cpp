@@ -1,9 +1,10 @@
 // slow
 // Replay of a log: what it computes, that its own output replays to the last digit, and that memory does not
 // grow with the log.
+#include <log/decision.hpp>
 #include <log/replay.hpp>
-#include <log/replay_program.hpp>
 
+#include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include <sys/resource.h>
 
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 namespace ph = passive_haptics;
@@ -31,12 +33,20 @@ const std::string log_header = "t,q1,q2,qd1,qd2,Fh_x,Fh_y\n";
 const std::string good = "0.5,1.9,-1.2,0.1,0.2,0.5,2\n";
 const ph::half_space<2> surface({0, 0.2}, {0, -1});
 
-// The law of the paper beside a wall; where no force is needed it has none.
+// A controller behind runtime/.
+template <class Law>
+std::unique_ptr<ph::runtime::any_controller> controller_at(const ph::half_space<2>& wall) {
+  using namespace ph::runtime;
+  return make_controller<Law>(device(), {brake_numbers(2), any_scene<2>(ph::scene(ph::wall(wall))),
+                                         any_parameters(law_parameters<Law>())});
+}
+
+// The law of the paper beside a wall, or a law that needs no force.
 example::replay_summary replay(std::istream& in, std::ostream& out, bool needs_force = true) {
-  ph::controller control{device(), ph::brakes_of<device>(), ph::scene(ph::wall(surface)),
-                         ph::direct_control()};
+  const auto control = needs_force ? controller_at<ph::direct_control>(surface)
+                                   : controller_at<ph::no_direct_control>(surface);
   example::log_reader log(in, "log.csv");
-  return example::replay(log, out, control, needs_force);
+  return example::replay(log, out, *control);
 }
 std::string replay(const std::string& log, bool needs_force = true) {
   std::istringstream in(log);
@@ -119,11 +129,8 @@ TEST(replay, of_a_simulation_makes_the_same_decisions) {
   const device arm;
   const auto q = arm.inverse({0.045, 0.221}, ph::elbow::left).q;
   const ph::half_space<2> wall({0, 0.225}, {0, -1});
-  const auto controller = [&] {
-    return ph::controller(arm, ph::brakes_of<device>(), ph::scene(ph::wall(wall)),
-                          ph::velocity_direct_control());
-  };
-  auto control = controller();
+  ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(wall)),
+                         ph::velocity_direct_control());
   ph::following_hand<double, 2> hand({1, 0}, {0.045, 0.221}, {});
   ph::simulated_device plant(arm, ph::brakes_of<device>(), hand.parameters().mass, q);
   plant.set_motion(q, arm.jacobian(q).partialPivLu().solve(ph::vector<double, 2>(0.05, 0.1)));
@@ -141,11 +148,11 @@ TEST(replay, of_a_simulation_makes_the_same_decisions) {
   ph::follow_wall(plant, logged, wall, hand, {.max_duration = 1});
 
   const auto replayed = [&](const std::string& text, example::replay_summary& all) {
-    auto again = controller();
+    const auto again = controller_at<ph::velocity_direct_control>(wall);
     std::istringstream in(text);
     std::ostringstream out;
     example::log_reader reader(in, "log.csv");
-    all = example::replay(reader, out, again);
+    all = example::replay(reader, out, *again);
     return out.str();
   };
   example::replay_summary first, second;

@@ -6,6 +6,7 @@ namespace {
 
 struct description : five_bars<4> {
   static constexpr const char *id = "five_bar_4", *label = "Five-bar, four brakes";
+  static constexpr const char* device_type = "five_bar_with_four_brakes";
 };
 
 }  // namespace

@@ -1,0 +1,172 @@
+/// @file
+/// A struct of parameters whose type is known at run time only: its members as a list, by name.
+#pragma once
+
+#include <passive_haptics/core/parameter_text.hpp>
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <typeinfo>
+#include <utility>
+#include <vector>
+
+namespace passive_haptics::runtime {
+
+/// A member by address. The members of a struct within stand in its place; a list of structs is a list of
+/// tables.
+struct field {
+  /// Of which type it is.
+  enum class kind {
+    numbers,  ///< One, or those of a vector, array or matrix.
+    whole,    ///< A whole number.
+    truth,    ///< A bool.
+    choice,   ///< One of about.choices, as its number.
+    text,     ///< A std::string.
+    points,   ///< A list of points, as many as are given.
+    tables,   ///< A list of structs.
+  };
+  member_description about;                     ///< Name, unit, range.
+  kind type = kind::numbers;                    ///< Of which type.
+  void* at = nullptr;                           ///< The value, or the first of the numbers.
+  int rows = 1;                                 ///< Of numbers, column by column.
+  int columns = 1;                              ///< Likewise.
+  int (*get)(const void* at) = nullptr;         ///< Reads a whole number, truth or choice.
+  void (*set)(void* at, int value) = nullptr;   ///< Writes it.
+  std::vector<std::vector<field>> tables = {};  ///< Of each struct of the list.
+  /// Makes so many points of a list, each of `rows` numbers, one after the other; the first number.
+  double* (*resize)(void* at, std::size_t points) = nullptr;
+  /// The number of points of such a list.
+  std::size_t (*size)(const void* at) = nullptr;
+
+  int count() const { return rows * columns; }                          ///< How many numbers.
+  double* numbers() const { return static_cast<double*>(at); }          ///< The numbers.
+  std::string& text() const { return *static_cast<std::string*>(at); }  ///< The text.
+};
+
+/// The fields of a struct of parameters, in the order of its table.
+using field_list = std::vector<field>;
+
+/// Adds the members of a struct, which must outlive the list.
+template <Parameters P>
+void add_fields(field_list& all, P& table) {
+  for_each_member(table, [&](const member_description& about, auto& value) {
+    using V = std::remove_cvref_t<decltype(value)>;
+    using kind = field::kind;
+    if constexpr (Parameters<V>) {
+      add_fields(all, value);
+    } else if constexpr (requires { requires Parameters<typename V::value_type>; }) {
+      field& f = all.emplace_back(field{about, kind::tables});
+      for (auto& one : value) add_fields(f.tables.emplace_back(), one);
+    } else if constexpr (std::is_same_v<V, std::string>) {
+      all.push_back({about, kind::text, &value});
+    } else if constexpr (requires { value.resize(1), value[0].data(); }) {
+      field& f = all.emplace_back(field{about, kind::points, &value});
+      f.rows = static_cast<int>(V::value_type::RowsAtCompileTime);
+      f.resize = [](void* at, std::size_t points) {
+        static_cast<V*>(at)->resize(points);
+        return static_cast<V*>(at)->data()->data();
+      };
+      f.size = [](const void* at) { return static_cast<const V*>(at)->size(); };
+    } else if constexpr (std::is_enum_v<V> || std::is_integral_v<V>) {
+      field& f = all.emplace_back(field{about, kind::whole, &value});
+      if constexpr (std::is_enum_v<V>) f.type = kind::choice;
+      else if constexpr (std::is_same_v<V, bool>) f.type = kind::truth;
+      f.get = [](const void* at) { return static_cast<int>(*static_cast<const V*>(at)); };
+      f.set = [](void* at, int x) { *static_cast<V*>(at) = static_cast<V>(x); };
+    } else if constexpr (std::is_same_v<V, double>) {
+      all.push_back({about, kind::numbers, &value});
+    } else {
+      static_assert(std::is_same_v<std::remove_cvref_t<decltype(*value.data())>, double>);
+      field& f = all.emplace_back(field{about, kind::numbers, value.data(), static_cast<int>(value.size())});
+      if constexpr (requires { value.cols(); }) {
+        f.rows = static_cast<int>(value.rows());
+        f.columns = static_cast<int>(value.cols());
+      }
+    }
+  });
+}
+
+/// No parameters.
+struct no_parameters {
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() { return member_table(); }
+};
+
+/// Holds a struct of parameters. Copies are values.
+class any_parameters {
+ public:
+  /// None.
+  any_parameters() : any_parameters(no_parameters()) {}
+  /// Holds these.
+  template <Parameters P>
+  explicit any_parameters(P p) : held_(std::make_unique<model<P>>(std::move(p))) {}
+  /// The same values.
+  any_parameters(const any_parameters& other) : held_(other.held_->copy()) {}
+  /// Takes over what another one holds.
+  any_parameters(any_parameters&&) noexcept = default;
+  /// As by a copy.
+  any_parameters& operator=(const any_parameters& other) {
+    held_ = other.held_->copy();
+    return *this;
+  }
+  /// Takes over what another one holds.
+  any_parameters& operator=(any_parameters&&) noexcept = default;
+  ~any_parameters() = default;
+
+  /// By address: valid until something is assigned to this object.
+  field_list fields() { return held_->fields(); }
+  /// What is wrong, by validate(); empty if nothing.
+  std::string error() const { return held_->error(); }
+  /// A line for each unusual value, by remarks().
+  std::string remarks(const std::string& part = "") const { return held_->remarks(part); }
+  /// Calls f(name, error) for each value that no device has, by passive_haptics::for_each_suspicious().
+  void for_each_suspicious(const std::function<void(const char*, const std::string&)>& f) const {
+    held_->for_each_suspicious(f);
+  }
+
+  /// The struct itself. Throws std::logic_error if it is another one.
+  template <class P>
+  const P& as() const {
+    const void* found = held_->as(typeid(P));
+    if (found == nullptr) throw std::logic_error("passive_haptics: parameters of another type");
+    return *static_cast<const P*>(found);
+  }
+
+ private:
+  struct any_model {
+    virtual ~any_model() = default;
+    virtual std::unique_ptr<any_model> copy() const = 0;
+    virtual field_list fields() = 0;
+    virtual std::string error() const = 0;
+    virtual std::string remarks(const std::string& part) const = 0;
+    virtual void for_each_suspicious(const std::function<void(const char*, const std::string&)>& f) const = 0;
+    virtual const void* as(const std::type_info& type) const = 0;
+  };
+  template <class P>
+  struct model final : any_model {
+    explicit model(P p) : value(std::move(p)) {}
+    std::unique_ptr<any_model> copy() const override { return std::make_unique<model>(value); }
+    field_list fields() override {
+      field_list all;
+      add_fields(all, value);
+      return all;
+    }
+    std::string error() const override { return validate(value); }
+    std::string remarks(const std::string& part) const override {
+      return passive_haptics::remarks(value, part);
+    }
+    void for_each_suspicious(const std::function<void(const char*, const std::string&)>& f) const override {
+      passive_haptics::for_each_suspicious(
+          value, [&](const member_description& m, const std::string& error) { f(m.name, error); });
+    }
+    const void* as(const std::type_info& type) const override { return type == typeid(P) ? &value : nullptr; }
+    P value;
+  };
+
+  std::unique_ptr<any_model> held_;
+};
+
+}  // namespace passive_haptics::runtime

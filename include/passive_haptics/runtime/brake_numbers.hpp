@@ -1,0 +1,78 @@
+/// @file
+/// The brakes of a device whose number is known at run time only.
+#pragma once
+
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace passive_haptics::runtime {
+
+/// switchable_brake_parameters of any number of brakes: its members, in its order.
+struct brake_numbers {
+  std::vector<double> torque_limit;      ///< m [N m], as there.
+  std::vector<double> torque_lower;      ///< m [N m], as there.
+  std::vector<double> torque_upper;      ///< m [N m], as there.
+  std::vector<double> rate_dead_band;    ///< m [rad/s], as there.
+  std::vector<double> torque_dead_band;  ///< m [N m], as there.
+  std::vector<double> time_constant;     ///< m [s], as there.
+
+  /// So many, all on, with the default values.
+  explicit brake_numbers(int count = 0) {
+    const switchable_brake_parameters<double, 1> usual;
+    for_each([&](auto here, auto there) {
+      (this->*here).assign(static_cast<std::size_t>(count), (usual.*there)[0]);
+    });
+  }
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = brake_numbers;
+    return member_table(
+        member("torque_limit", &p::torque_limit, "N m", range::not_negative)
+            .remark_at_zero("the brake is off"),
+        member("torque_lower", &p::torque_lower, "N m", lower_torques),
+        member("torque_upper", &p::torque_upper, "N m", upper_torques),
+        member("rate_dead_band", &p::rate_dead_band, "rad/s", range::not_negative),
+        member("torque_dead_band", &p::torque_dead_band, "N m", range::not_negative),
+        member("time_constant", &p::time_constant, "s", range::not_negative).suspicious_above(1));
+  }
+
+  /// Whether all brakes work both ways: none is off or one-way.
+  bool has_no_bounds() const {
+    constexpr double unbounded = switchable_brake_parameters<double, 1>::unbounded;
+    return std::ranges::count(torque_lower, -unbounded) == std::ssize(torque_lower) &&
+           std::ranges::count(torque_upper, unbounded) == std::ssize(torque_upper);
+  }
+
+  /// As the brakes of m brakes, B: switchable ones, or brake_parameters, which have no bounds.
+  template <class B>
+  B as() const {
+    B b;
+    b.torque_limit = decltype(b.torque_limit)(torque_limit.data());
+    b.rate_dead_band = decltype(b.torque_limit)(rate_dead_band.data());
+    b.torque_dead_band = decltype(b.torque_limit)(torque_dead_band.data());
+    b.time_constant = decltype(b.torque_limit)(time_constant.data());
+    if constexpr (requires { b.torque_lower; }) {
+      b.torque_lower = decltype(b.torque_limit)(torque_lower.data());
+      b.torque_upper = decltype(b.torque_limit)(torque_upper.data());
+    }
+    return b;
+  }
+
+ private:
+  template <class F>
+  static void for_each(F f) {
+    using here = brake_numbers;
+    using there = switchable_brake_parameters<double, 1>;
+    f(&here::torque_limit, &there::torque_limit);
+    f(&here::torque_lower, &there::torque_lower);
+    f(&here::torque_upper, &there::torque_upper);
+    f(&here::rate_dead_band, &there::rate_dead_band);
+    f(&here::torque_dead_band, &there::torque_dead_band);
+    f(&here::time_constant, &there::time_constant);
+  }
+};
+
+}  // namespace passive_haptics::runtime
