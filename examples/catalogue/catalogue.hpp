@@ -12,7 +12,7 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// That of this program, filled at the first call. Not for several threads before that.
+/// The catalogue of this program, filled by the first call. Make that call before threads start.
 ph::runtime::catalogue& catalogue();
 
 }  // namespace example

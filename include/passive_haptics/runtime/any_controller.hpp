@@ -25,7 +25,7 @@ class any_controller {
   virtual ~any_controller() = default;
   /// Of the device.
   virtual device_sizes sizes() const noexcept = 0;
-  /// Whether the law needs a force sensor.
+  /// True if the law needs a force sensor.
   virtual bool needs_hand_force() const noexcept = 0;
   /// One cycle; neither throws nor allocates. Numbers that are not as many as sizes() says, or no hand force
   /// where the law needs one: status::state_not_finite, all brakes released.
@@ -42,7 +42,7 @@ class any_controller {
 using scene_variant = std::variant<std::monostate, any_scene<2>, any_scene<3>, any_scene_with_effects<2>,
                                    any_scene_with_effects<3>>;
 
-/// What a controller is made of, but for its mechanism and the type of its law.
+/// Parts of a controller, except its mechanism and the type of its law.
 struct controller_parts {
   brake_numbers brakes;               ///< As many as the mechanism has.
   scene_variant scene;                ///< Of its dimension.
@@ -85,13 +85,13 @@ using scene_for = std::conditional_t<saturates_before_scaling<L>, strongest_cont
 template <class M>
 using controller_brakes = std::conditional_t<Settles<M>, brakes_of<M>, switchable_brakes<M>>;
 
-/// Whether controllers of M under law L take effects: under the paper's law, which gives way to a hand.
+/// True if controllers of M under law L take effects: only direct_control, with n = m = d.
 template <class M, class L>
 inline constexpr bool takes_effects =
     ScalingLaw<L> && nulls_normal_force<L> && !saturates_before_scaling<L> && M::dof == M::task_dimension &&
     M::brake_count == M::task_dimension;
 
-/// What is compiled once for each kind of mechanism and law.
+/// Controller of M under law L, compiled once for each kind of mechanism.
 template <class M, class L, class S = scene_for<L, M::task_dimension>>
 class controller_of final : public any_controller {
   static constexpr int n = M::dof, d = M::task_dimension, m = M::brake_count;

@@ -24,7 +24,7 @@ class any_effect {
     requires(!std::same_as<E, any_effect>)
   explicit any_effect(E effect) : held_(std::make_shared<model<E>>(std::move(effect))) {}
 
-  /// Whether it is one on the joints: then force() is zero, else torque().
+  /// True for an effect on the joints: then force() is zero, else torque() is.
   bool is_on_joints() const { return held_->is_on_joints(); }
   /// Force on the handle [N] at x [m] with velocity v [m/s], hand force [N] and touched walls.
   numbers force(const numbers& x, const numbers& v, const numbers& hand_force,
@@ -103,14 +103,14 @@ class any_scene_with_effects {
 
  public:
   static constexpr int dimension = D;  ///< d
-  /// What sensing gives.
+  /// The contacts and the effects.
   struct contacts_type : touched_type {
     /// As of the walls alone.
     template <class M>
     using result_type = step_result_for<M, walls_type>;
   };
 
-  /// Of these walls and effects.
+  /// Takes these walls and effects.
   any_scene_with_effects(any_scene<D> walls, effect_list effects)
       : walls_(std::move(walls)), effects_(std::move(effects)), sums_{on_handle{}, on_joints{}} {}
 

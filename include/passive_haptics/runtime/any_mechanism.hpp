@@ -29,7 +29,7 @@ class any_mechanism {
   virtual ~any_mechanism() = default;
   /// n, d and m.
   virtual device_sizes sizes() const noexcept = 0;
-  /// Whether it has mass_matrix, bias_torque and bias_acceleration.
+  /// True if it has mass_matrix, bias_torque and bias_acceleration.
   virtual bool has_inertia() const noexcept = 0;
   /// End effector [m], base frame.
   virtual task_numbers position(std::span<const double> q) const noexcept = 0;
@@ -40,7 +40,7 @@ class any_mechanism {
   /// Joint positions that put the end effector at x, by the mechanism's own formula, in its usual branch;
   /// none where it has no formula, or x is out of reach.
   virtual joint_numbers inverse(std::span<const double> x) const = 0;
-  /// Of the encoders.
+  /// The maps of the encoders.
   virtual encoder_maps encoders() const noexcept = 0;
 
   /// As what controllers and plants hold it (held_mechanism): the type, and the address of one.
@@ -55,7 +55,7 @@ class mechanism_model final : public any_mechanism {
   using held_type = held_mechanism<M>;
 
  public:
-  /// Of this mechanism.
+  /// Holds this mechanism.
   explicit mechanism_model(M mechanism) : own_(std::move(mechanism)), held_(own_) {}
 
   device_sizes sizes() const noexcept override { return {n, d, m}; }

@@ -18,7 +18,7 @@ namespace passive_haptics::runtime {
 /// A member by address. The members of a struct within stand in its place; a list of structs is a list of
 /// tables.
 struct field {
-  /// Of which type it is.
+  /// Type of the value.
   enum class kind {
     numbers,  ///< One, or those of a vector, array or matrix.
     whole,    ///< A whole number.
@@ -118,7 +118,7 @@ class any_parameters {
 
   /// By address: valid until something is assigned to this object.
   field_list fields() { return held_->fields(); }
-  /// What is wrong, by validate(); empty if nothing.
+  /// The error text of validate(); empty if the values are valid.
   std::string error() const { return held_->error(); }
   /// A line for each unusual value, by remarks().
   std::string remarks(const std::string& part = "") const { return held_->remarks(part); }

@@ -87,14 +87,14 @@ class any_scene {
   std::unique_ptr<any_model> held_;
 };
 
-/// Of a scene, the contact that demands the largest force: for a law that takes one.
+/// The contact of a scene with the largest desired force, for a law that takes one.
 template <int D>
 class strongest_contact_of {
  public:
   static constexpr int dimension = D;    ///< d
   using contacts_type = contacts<D, 1>;  ///< What sensing this scene gives.
 
-  /// Of this one.
+  /// Takes the contacts of this scene.
   explicit strongest_contact_of(any_scene<D> scene) : scene_(std::move(scene)) {}
   /// The contact at x [m] and a time [s].
   contacts_type touched_at(const point<D>& x, double time) {

@@ -39,7 +39,7 @@ struct brake_numbers {
         member("time_constant", &p::time_constant, "s", range::not_negative).suspicious_above(1));
   }
 
-  /// Whether all brakes work both ways: none is off or one-way.
+  /// True if all brakes work both ways: none is off or one-way.
   bool has_no_bounds() const {
     constexpr double unbounded = switchable_brake_parameters<double, 1>::unbounded;
     return std::ranges::count(torque_lower, -unbounded) == std::ssize(torque_lower) &&

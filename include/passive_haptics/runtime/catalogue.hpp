@@ -169,7 +169,7 @@ class catalogue {
       };
   }
 
-  /// Whether controllers of this law are compiled for this mechanism.
+  /// True if controllers of this law are compiled for this mechanism.
   bool is_compiled(const any_mechanism& mechanism, const law_entry& law) const {
     return controllers_.contains({mechanism.held().first, law.type});
   }

@@ -60,7 +60,7 @@ struct few_numbers {
 using joint_numbers = few_numbers<max_joints>;  ///< n or m of them.
 using task_numbers = few_numbers<3>;            ///< d of them.
 
-/// What a cycle sees.
+/// Input of a cycle.
 struct state_view {
   double time = 0;                     ///< [s]
   std::span<const double> q;           ///< n joint positions [rad or m].
@@ -68,8 +68,8 @@ struct state_view {
   std::span<const double> hand_force;  ///< d components [N], base frame; empty without a force sensor.
 };
 
-/// What it decides: step_result, by the same names, of any device. Trivially copyable, so that processes can
-/// hand it over.
+/// Result of a cycle: step_result, by the same names, of any device. Trivially copyable, so that processes
+/// can hand it over.
 struct cycle_record {
   joint_numbers capacity;                                      ///< m [N m].
   joint_numbers torque;                                        ///< m [N m].

@@ -17,7 +17,7 @@
 
 namespace passive_haptics::runtime {
 
-/// What a control cycle distinguishes at compile time.
+/// The properties of a mechanism that a control cycle distinguishes at compile time.
 struct mechanism_kind {
   int dof = 0;                             ///< n
   int task_dimension = 0;                  ///< d
@@ -54,7 +54,7 @@ class mechanism_of_kind {
   using m_by_n = matrix<double, m, n>;  ///< T
   using n_by_n = matrix<double, n, n>;  ///< M
 
-  /// What is known of one pose. Lives no longer than the mechanism and q.
+  /// Position and Jacobian in one pose. Lives no longer than the mechanism and q.
   class pose_values {
    public:
     pose_values(const pose_values&) = delete;
@@ -99,7 +99,7 @@ class mechanism_of_kind {
     return held_->T;
   }
 
-  /// Whether the mechanism has inertia. Without it the functions that follow give NaN.
+  /// True if the mechanism has inertia. Without it the functions that follow give NaN.
   bool has_inertia() const { return held_->has_inertia; }
   /// M [kg m^2, kg m or kg].
   n_by_n mass_matrix(const pose_values& at) const { return held_->mass_matrix(at); }
@@ -171,7 +171,7 @@ class mechanism_of_kind {
   std::shared_ptr<const any_model> held_;
 };
 
-/// Whether M is of a kind: its cycle knows no more at compile time. A Jacobian that is constant or diagonal,
+/// A mechanism of which a cycle knows only the kind at compile time. A Jacobian that is constant or diagonal,
 /// or a transmission that turns with the pose, makes one of its own.
 template <class M>
 concept HasKind = std::same_as<typename M::scalar, double> && !detail::transmission_depends_on_pose<M> &&

@@ -174,7 +174,7 @@ class toml_section {
   void refuse(std::string_view key, const std::string& expected) const {
     if (const toml::node* node = state_->find(key); node != nullptr) state_->expected(key, *node, expected);
   }
-  /// Whether the key is there.
+  /// True if the section has this key.
   bool has(std::string_view key) const { return state_->table != nullptr && state_->table->contains(key); }
   /// A key that another program reads, with all that is in it.
   void pass_over(std::string_view key) {
