@@ -41,7 +41,7 @@ arguments parse(int argc, char** argv) {
             "send the log to this UDP port of this machine as it comes, as JSON (docs/guide/log.md)");
   line.output(all.directory);
   line.notes(
-      "Next to the log is a device file, with which replay makes the same decisions (docs/guide/driver.md).\n"
+      "Next to the log is its device file; `replay LOG` makes the same decisions (docs/guide/log.md).\n"
       "Signals: SIGINT (Ctrl-C), SIGTERM and SIGHUP release and end; SIGUSR1 rearms after a fault that is "
       "over,\n"
       "if it comes after the release.\n"

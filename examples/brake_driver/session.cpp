@@ -1,6 +1,7 @@
 #include <configuration/home.hpp>
 #include <devices/haptic_device.hpp>
 #include <file_descriptor.hpp>
+#include <log/device_name.hpp>
 #include <ports/ports.hpp>
 #include <report/report.hpp>
 #include <session.hpp>
@@ -15,6 +16,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <string_view>
@@ -22,8 +24,6 @@
 
 namespace example {
 namespace {
-
-using brake_port = any_brake_port<axes, axes>;
 
 class session {
  public:
@@ -106,7 +106,7 @@ class session {
   void see_the_release_through(ph::control_loop<>& loop, ph::loop_report& report) {
     const double end = ph::monotonic_seconds() + configuration_.safety.at_release.max_duration();
     go_on_while(loop, report,
-                [&](double now) { return now < end && port_.applied() != ph::brake_currents<axes>{}; });
+                [&](double now) { return now < end && port_.applied() != ph::brake_currents<max_axes>{}; });
     port_.release_immediately();
     const double latest = ph::monotonic_seconds() + configuration_.safety.hold_over;
     go_on_while(loop, report,
@@ -120,7 +120,7 @@ class session {
     const std::int64_t before = number_;
     const ph::loop_report rest = loop.run(
         [&](const ph::loop_cycle& now) {
-          record r;
+          record r = device_->blank_record();
           port_.read(now.time);
           device_->cycle(last_samples(now.time), phase::homing, r);  // where it is
           beat(now.time);
@@ -149,7 +149,7 @@ class session {
     }
     if (doing_ == phase::running && port_.state() == ph::port_state::ready) activate(read);
 
-    record r;
+    record r = device_->blank_record();
     const auto wanted = device_->cycle(read, doing_, r);
     beat(now.time);  // last: a supervisor that released meanwhile is heard before currents go out
     port_.write(wanted);
@@ -179,7 +179,7 @@ class session {
       r.too_deep = deepest_;
     r.needs_homing = port_.needs_homing();
     r.held_over = port_.pending_fault();
-    r.current = port_.applied();
+    std::copy_n(port_.applied().begin(), r.current.count, r.current.values.begin());
     r.current_is_known = port_.applied_is_known();
     r.late = now.late;
     r.compute = ph::monotonic_seconds() - now.time;
@@ -247,9 +247,9 @@ class session {
   configuration configuration_;
   session_options options_;
   std::unique_ptr<haptic_device> device_;
-  ph::safe_port<brake_port, any_force_sensor> port_;
+  ph::safe_port<any_brake_port, any_force_sensor> port_;
   ph::recorder<record, report_sink> record_;
-  ph::supervisor<brake_port> guard_;
+  ph::supervisor<any_brake_port> guard_;
   ph::stop_signals signals_;
   // stderr, opened anew, as others share what it is; of a file nothing is known of how long it takes
   file_descriptor warnings_{isatty(STDERR_FILENO) != 0

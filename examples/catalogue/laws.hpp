@@ -14,7 +14,7 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// All of them.
+/// All of them. A device file without a law gets the first that its device can have.
 inline constexpr std::tuple laws{
     ph::runtime::named_law<ph::velocity_direct_control>{"velocity_direct_control"},
     ph::runtime::named_law<ph::on_off_control>{"on_off_control"},

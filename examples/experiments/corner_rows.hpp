@@ -5,6 +5,7 @@
 #include "control_of.hpp"
 #include "corner_run.hpp"
 #include "corners.hpp"
+#include "laws.hpp"
 
 #include <cstdio>
 
@@ -72,7 +73,7 @@ class corner_columns {
       : tables_(tables), device_(device), walls_(walls) {}
 
   template <class Control>
-  void add_law(const char* name, const Control& control) {
+  void add_law(const std::string& name, const Control& control) {
     const corner_row row =
         follow({.walls = walls_}, {.pulls_out = true}, maker(device_.mechanism, control), 1);
     const double law = row.quantile(0.95, [](const auto& r) { return r.max_depth; }),
@@ -150,11 +151,11 @@ void add_device(corner_tables& tables, const corner_device<M>& device, int walls
   corner_columns<M> columns(tables, device, walls);
   const with_sensor recommended{ph::recommended_law(device.mechanism, device.brakes)};
   columns.add_law("recommended_law", recommended);
-  columns.add_law("direct_control", with_sensor{ph::direct_control()});
-  columns.add_law("no_direct_control", with_sensor{ph::no_direct_control()});
-  columns.add_law("on_off_control", with_sensor{ph::on_off_control()});
-  columns.add_law("velocity_direct_control, no sensor", without_sensor{ph::velocity_direct_control()});
-  columns.add_law("direct_control, no sensor", without_sensor{ph::direct_control()});
+  for_laws<law::direct, law::none, law::on_off>(
+      [&](const std::string& name, const auto& l) { columns.add_law(name, with_sensor{l}); });
+  for_laws<law::velocity, law::direct>([&](const std::string& name, const auto& l) {
+    columns.add_law(name + ", no sensor", without_sensor{l});
+  });
   if (walls == 2) columns.add_variations(recommended);
 }
 

@@ -1,14 +1,13 @@
 // The experiments of section 5 in the plane: one run of a hand that follows a wall with a simulated device.
 #pragma once
 
+#include "laws.hpp"
+
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -16,27 +15,6 @@ namespace experiments {
 
 namespace ph = passive_haptics;
 using plane_vector = ph::vector<double, 2>;
-
-// The laws that are compared.
-enum class law {
-  none,
-  direct,             // as printed
-  saturated,          // direct, but alpha scales what the brakes can make
-  direct_dead_band,   // nulling already from n . v > -v_dead
-  velocity,           // walls seen beforehand
-  velocity_on_touch,  // walls seen when they are touched
-  coercive,
-  single_degree_of_freedom,
-  velocity_ratio,
-  on_off,
-  bang_bang,
-};
-inline constexpr auto all_laws = [] {
-  using enum law;
-  return std::array{none,           direct, saturated, direct_dead_band,  coercive, single_degree_of_freedom,
-                    velocity_ratio, on_off, bang_bang, velocity_on_touch, velocity};
-}();
-std::string_view name_of(law which);
 
 // A wall of any of the experiments' shapes.
 class test_wall {
@@ -69,16 +47,15 @@ struct setup {
   double time_step = 1e-4;         // of the simulation [s]
   double lag = 0.020;              // of the brakes [s],
   std::optional<double> believed_lag =
-      std::nullopt;                   // and what the controller takes it for, where it does not know [s]
-  double limit = 1;                   // of the brakes [N m], which it knows
-  double gain = 1;                    // of the real brakes [1], which it does not
-  double residual = 0;                // torque of a released brake [N m]
-  double inertia = 1;                 // of the model, for each kg of the device
-  double noise = 0;                   // of the force sensor [N]
-  std::uint64_t seed = 1;             // of that noise
-  double gap = 0.004;                 // off the wall at the start [m]
-  double approach = 0.1;              // speed into the wall at the start [m/s]
-  double velocity_dead_band = 0.025;  // of law::direct_dead_band [m/s]
+      std::nullopt;        // and what the controller takes it for, where it does not know [s]
+  double limit = 1;        // of the brakes [N m], which it knows
+  double gain = 1;         // of the real brakes [1], which it does not
+  double residual = 0;     // torque of a released brake [N m]
+  double inertia = 1;      // of the model, for each kg of the device
+  double noise = 0;        // of the force sensor [N]
+  std::uint64_t seed = 1;  // of that noise
+  double gap = 0.004;      // off the wall at the start [m]
+  double approach = 0.1;   // speed into the wall at the start [m/s]
   ph::following_hand_parameters<double> hand = {};
 };
 

@@ -3,15 +3,10 @@
 
 #include "control_of.hpp"
 #include "planar.hpp"
-#include "rivals/bang_bang_control.hpp"
-#include "rivals/coercive_force_approximation.hpp"
-#include "rivals/single_degree_of_freedom_control.hpp"
-#include "rivals/velocity_ratio_control.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace experiments {
 
@@ -27,25 +22,6 @@ struct device {
   double encoder_resolution;  // [rad or m]
   ph::joint_vector<M> start;  // joint positions
 };
-
-// f(law) for the law.
-template <class F>
-auto with_law(law which, const setup& how, F&& f) {
-  switch (which) {
-    case law::none: return f(ph::no_direct_control());
-    case law::direct: return f(ph::direct_control());
-    case law::saturated: return f(ph::saturated_direct_control());
-    case law::direct_dead_band: return f(ph::direct_control{.velocity_dead_band = how.velocity_dead_band});
-    case law::velocity: return f(ph::velocity_direct_control());
-    case law::velocity_on_touch: return f(ph::velocity_direct_control({.approach_speed = 0}));
-    case law::coercive: return f(coercive_force_approximation());
-    case law::single_degree_of_freedom: return f(single_degree_of_freedom_control());
-    case law::velocity_ratio: return f(velocity_ratio_control());
-    case law::on_off: return f(ph::on_off_control());
-    case law::bang_bang: return f(bang_bang_control());
-  }
-  throw std::logic_error("a law without a case");
-}
 
 // Where the handle starts: this far off the wall at start_x.
 inline plane_vector start_beside(const test_wall& wall, double gap) {
@@ -94,7 +70,7 @@ run_result follow(const device<M, Brakes, Model>& d, const any_control<M>& contr
 template <class M, class Brakes, class Model>
 run_result follow(const device<M, Brakes, Model>& d, law which, const test_wall& wall, const setup& how) {
   const any_control<M> control =
-      with_law(which, how, [&](const auto& control_law) { return control_of(d, control_law, wall, how); });
+      with_law(which, [&](const auto& control_law) { return control_of(d, control_law, wall, how); });
   return follow(d, control, wall, how);
 }
 

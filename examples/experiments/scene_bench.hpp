@@ -2,31 +2,31 @@
 #pragma once
 
 #include "effect_run.hpp"
-#include "rivals/bang_bang_control.hpp"
-#include "rivals/coercive_force_approximation.hpp"
-#include "rivals/single_degree_of_freedom_control.hpp"
-#include "rivals/velocity_ratio_control.hpp"
+#include "laws.hpp"
 #include "scene_run.hpp"
+
+#include <catalogue/laws.hpp>
+
+#include <tuple>
 
 namespace experiments {
 
-// Every law and every effect, with and without a force sensor.
+// Every law of the catalogue and every effect, with and without a force sensor; the others with what they
+// need.
 template <class M>
 scene_bench bench_of_all(const scene_device<M>& device) {
   std::vector<law_column<M>> laws;
-  const auto add = [&](const char* name, const auto& law) {
-    laws.push_back(column<M>(name, true, law));
-    laws.push_back(column<M>(name, false, law));
+  const auto add = [&](const std::string& name, bool has_sensor, const auto& law) {
+    laws.push_back(column<M>(name, has_sensor, with_lead(law, device.brakes)));
   };
-  add("velocity_direct_control", ph::velocity_direct_control());
-  add("on_off_control", on_off_with_lead(device.brakes));
-  add("direct_control", ph::direct_control());
-  add("saturated_direct_control", ph::saturated_direct_control());
-  add("no_direct_control", ph::no_direct_control());
-  laws.push_back(column<M>("coercive_force_approximation", false, coercive_force_approximation()));
-  laws.push_back(column<M>("bang_bang_control", false, bang_bang_control()));
-  laws.push_back(column<M>("single_degree_of_freedom_control", true, single_degree_of_freedom_control()));
-  laws.push_back(column<M>("velocity_ratio_control", true, velocity_ratio_control()));
+  const auto add_both = [&]<class Law>(const ph::runtime::named_law<Law>& named) {
+    add(named.name, true, Law());
+    add(named.name, false, Law());
+  };
+  std::apply([&](const auto&... named) { (add_both(named), ...); }, example::laws);
+  for_laws<law::coercive, law::bang_bang>([&](const auto& name, const auto& l) { add(name, false, l); });
+  for_laws<law::single_degree_of_freedom, law::velocity_ratio>(
+      [&](const auto& name, const auto& l) { add(name, true, l); });
   scene_bench bench = bench_of(device, laws);
   const auto effects = all_effects<M>();
   for (const auto& e : effects) bench.effects.push_back(e.row);

@@ -1,4 +1,5 @@
 // When a cell of the tables of scenes is worse than its reference, and why it may be.
+#include "laws.hpp"
 #include "scenes.hpp"
 
 #include <algorithm>
@@ -45,8 +46,9 @@ std::string worse_than(const scene_figures& reference, const scene_figures& figu
 namespace {
 
 bool starts(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
+std::string quoted(law which) { return std::string("`").append(name_of(which)).append("`"); }
 bool is_smooth(const scene_law& law) {
-  return law.name == "velocity_direct_control" || law.name == "on_off_control";
+  return law.name == name_of(law::velocity) || law.name == name_of(law::on_off);
 }
 
 }  // namespace
@@ -65,26 +67,27 @@ const std::vector<scene_limit>& scene_limits() {
          return c.kind.is_slow && c.law.name.find("direct_control") != std::string::npos &&
                 !starts(c.law.name, "velocity") && worse == "passed through";
        }},
-      {"`coercive_force_approximation` and `velocity_ratio_control`",
+      {quoted(law::coercive) + " and " + quoted(law::velocity_ratio),
        "a hand that stops along the wall sinks, also at the half-space",
        [](cell c, text worse) {
          return (starts(c.law.name, "coercive") || starts(c.law.name, "velocity_ratio")) &&
                 worse == "passed through";
        }},
-      {"a law other than `velocity_direct_control` and `on_off_control`",
+      {"a law other than " + quoted(law::velocity) + " and " + quoted(law::on_off),
        "it bounces along the half-space, too: depth and separations differ from one surface to the next",
        [](cell c, text worse) { return !is_smooth(c.law) && worse != "passed through"; }},
       {"two shapes side by side in a scene",
        "a scene has no proxy: at the seam the nearest face is the one between them; use a world",
        [](cell c, text) { return starts(c.specimen.name, "two ") && !c.kind.is_world; }},
-      {"`on_off_control` at two mesh_solids side by side at 20 Hz",
+      {quoted(law::on_off) + " at two mesh_solids side by side at 20 Hz",
        "until the next sample the side of the second one is a wall ahead; use a proxy that is updated in "
        "each "
        "cycle, so a world that is not held",
        [](cell c, text) {
          return starts(c.law.name, "on_off") && starts(c.specimen.name, "two ") && c.kind.is_slow;
        }},
-      {"`on_off_control` at a 90 degree edge at 20 Hz", "the face beyond the edge is met up to 50 ms late",
+      {quoted(law::on_off) + " at a 90 degree edge at 20 Hz",
+       "the face beyond the edge is met up to 50 ms late",
        [](cell c, text worse) {
          return starts(c.law.name, "on_off") && c.specimen.meant == surface::edge && c.kind.is_slow &&
                 worse == "separates";
@@ -108,12 +111,12 @@ const std::vector<scene_limit>& scene_limits() {
        [](cell c, text worse) {
          return c.specimen.is_surface && c.kind.is_slow && worse != "passed through";
        }},
-      {"`on_off_control` without a force sensor",
+      {quoted(law::on_off) + " without a force sensor",
        "its ripple reaches the surface: ten hands separate up to twice along the half-space, too",
        [](cell c, text worse) {
          return starts(c.law.name, "on_off") && !c.law.has_sensor && worse == "separates";
        }},
-      {"`on_off_control` at a wall that moves away at 2 cm/s",
+      {quoted(law::on_off) + " at a wall that moves away at 2 cm/s",
        "it holds until the handle is 0.3 mm less deep than its reference; the hand then follows with 2 N",
        [](cell c, text worse) {
          return starts(c.law.name, "on_off") && c.kind.speed < 0 && worse == "separates";

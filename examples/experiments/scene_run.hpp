@@ -48,15 +48,15 @@ struct law_column : scene_law {
       control;
 };
 
-// on_off_control as recommended_law returns it.
-inline ph::on_off_control on_off_with_lead(const auto& brakes) {
-  ph::on_off_control relay;
-  relay.parameters.lead = brakes.time_constant.maxCoeff();
-  return relay;
+// A law as a device file makes it: one that has a lead leads by the lag of the slowest brake.
+template <class Law>
+Law with_lead(Law law, const auto& brakes) {
+  if constexpr (requires { law.parameters.lead; }) law.parameters.lead = brakes.time_constant.maxCoeff();
+  return law;
 }
 
 template <class M, class Law>
-law_column<M> column(const char* name, bool has_sensor, const Law& law) {
+law_column<M> column(const std::string& name, bool has_sensor, const Law& law) {
   constexpr int D = M::task_dimension, capacity = ph::saturates_before_scaling<Law> ? 1 : D + 1;
   const auto control = [=](const M& mechanism, const ph::brakes_of<M>& brakes,
                            const auto&... scene) -> loop_control<M> {

@@ -86,7 +86,7 @@ class scene_tables {
       const auto found = limited_.find(l.where);
       std::printf("%5d cells, up to %5.1f times as deep: %s\n",
                   found == limited_.end() ? 0 : found->second.cells,
-                  found == limited_.end() ? 0.0 : found->second.ratio, l.where);
+                  found == limited_.end() ? 0.0 : found->second.ratio, l.where.c_str());
     }
     return all;
   }

@@ -103,7 +103,8 @@ std::string unfit(const scene_cell& cell);
 std::string worse_than(const scene_figures& reference, const scene_figures& figures);
 // The table of limits: when a cell may be worse.
 struct scene_limit {
-  const char *where, *reason;
+  std::string where;
+  const char* reason;
   bool (*holds)(const scene_cell& cell, const std::string& worse);
 };
 const std::vector<scene_limit>& scene_limits();

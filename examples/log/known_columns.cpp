@@ -42,6 +42,7 @@ const std::vector<known_column>& known_columns() {
       {"torque", numbers, {"N m", "N"}, false},
       {"x", none, {"m"}, false},
       {"y", none, {"m"}, false},
+      {"z", none, {"m"}, false},
       {"cycle", none, {"1"}, false},
       {"state", none, {""}, false},
       {"reason", none, {""}, false},

@@ -3,17 +3,21 @@
 
 #include <command_line.hpp>
 #include <log/decision.hpp>
+#include <log/device_name.hpp>
 #include <output_file.hpp>
 
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/runtime/device_file/read_device.hpp>
+#include <passive_haptics/scene/files/file_kind.hpp>
 
 #include <Eigen/LU>
 
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -24,7 +28,7 @@ namespace example {
 namespace {
 
 struct replay_options {
-  std::string config, input;
+  std::string log, config;
   std::filesystem::path directory = ".";
 };
 
@@ -32,14 +36,16 @@ replay_options parse(int argc, char** argv) {
   replay_options chosen;
   command_line line(
       "replay",
-      "Reads a log (docs/guide/log.md), runs each line through the control law of a device, and "
-      "writes the commands\nto the brakes to replay.csv.");
+      "Runs each line of a log (docs/guide/log.md) through the control law of its device, writes the\n"
+      "decisions to replay.csv, and prints how many capacities are those of the log, to the last digit.");
+  line.text("LOG", chosen.log, "", "without it a short log of the paper's device under direct_control");
   line.text("--config", chosen.config, "FILE",
-            "the device: the file that brake_driver reads; without it the paper's device under "
-            "direct_control");
-  line.text("--input", chosen.input, "FILE",
-            "the log; without it a short one of the paper's device, made up here");
+            "the device (docs/guide/device.md); without it LOG.device.toml, which brake_driver wrote next to "
+            "LOG.csv");
   line.output(chosen.directory);
+  line.notes(
+      "Exit status: 0; 1 if a file cannot be read or written; 2 for a mistake in the options or the device "
+      "file.");
   line.parse(argc, argv);
   return chosen;
 }
@@ -77,11 +83,22 @@ void pass_over_driver(ph::runtime::toml_section& file) {
   sensor.pass_over_others();
 }
 
-std::unique_ptr<ph::runtime::any_controller> controller_from(const std::string& config,
+// The name of the device file; empty for the built-in device.
+std::string device_file(const replay_options& chosen) {
+  if (!chosen.config.empty() || chosen.log.empty()) return chosen.config;
+  const std::string name = device_name(chosen.log);
+  if (ph::file_kind(name) == "nothing")
+    throw std::invalid_argument(name +
+                                ": no such file, expected the device file that brake_driver wrote next to " +
+                                chosen.log + "; give the device of the log by --config FILE");
+  return name;
+}
+
+std::unique_ptr<ph::runtime::any_controller> controller_from(const std::string& name,
                                                              const ph::runtime::catalogue& all) {
   using ph::runtime::toml_section;
-  toml_section file = config.empty() ? toml_section::text("built-in device", "law.type = \"direct_control\"")
-                                     : toml_section::file(config);
+  toml_section file = name.empty() ? toml_section::text("built-in device", "law.type = \"direct_control\"")
+                                   : toml_section::file(name);
   const auto device = ph::runtime::read_device(file, all);
   pass_over_driver(file);
   file.finish();
@@ -100,20 +117,22 @@ std::function<void(std::size_t)> progress() {
 }
 
 void run(const replay_options& chosen, const ph::runtime::catalogue& all) {
-  const auto control = controller_from(chosen.config, all);
   std::ifstream file;
-  std::istringstream text(chosen.input.empty() ? made_up_log() : "");
-  if (!chosen.input.empty()) {
-    file.open(chosen.input, std::ios::binary);
-    if (!file) throw std::runtime_error("cannot read '" + chosen.input + "'");
+  std::istringstream text(chosen.log.empty() ? made_up_log() : "");
+  if (!chosen.log.empty()) {
+    file.open(chosen.log, std::ios::binary);
+    if (!file) throw std::runtime_error("cannot read '" + chosen.log + "': " + std::strerror(errno));
   }
-  std::istream& in = chosen.input.empty() ? static_cast<std::istream&>(text) : file;
-  log_reader log(in, chosen.input.empty() ? "the log that is made up here" : chosen.input);
+  const std::string device = device_file(chosen);
+  const auto control = controller_from(device, all);
+  std::istream& in = chosen.log.empty() ? static_cast<std::istream&>(text) : file;
+  log_reader log(in, chosen.log.empty() ? "the log that is made up here" : chosen.log);
   const std::filesystem::path path = chosen.directory / "replay.csv";
   output_file out(path);
   const replay_summary lines = replay(log, out.stream(), *control, progress());
   out.commit();
-  std::cout << lines.lines << " lines, " << lines.decided
+  std::cout << "device: " << (device.empty() ? "the paper's under direct_control" : device) << "\n"
+            << lines.lines << " lines, " << lines.decided
             << " with a decision: " << std::filesystem::weakly_canonical(path).string() << "\n";
   if (lines.compared > 0)
     std::cout << "capacities as in the log, to the last digit: " << lines.same << " of " << lines.compared

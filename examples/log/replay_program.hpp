@@ -6,8 +6,9 @@
 
 namespace example {
 
-/// The whole program; its exit status. Without a device file it replays the paper's device under
-/// direct_control, without a log half a second of that device, made up.
+/// main() of replay: its exit status. The device of a log is that of --config, else the device file next to
+/// it (device_name). Without a log it replays half a second of the paper's device, made up, under
+/// direct_control.
 int replay_program(int argc, char** argv, const passive_haptics::runtime::catalogue& all);
 
 }  // namespace example

@@ -270,12 +270,13 @@ TEST(an_encoder_check, counts_the_way_of_the_others_since_each_encoder_changed) 
 }
 
 TEST(an_encoder_check, gives_an_encoder_a_turn_of_8192_counts_by_default_or_for_ever) {
-  ph::encoder_check<2> usual_travel({}), no_travel({.frozen_travel = 0});
+  ph::encoder_check<2> usual_travel({}), no_travel({.frozen_travel = 0}), one_encoder({.encoders = 1});
   for (int k = 0; k <= 64; ++k)
-    for (auto* check : {&usual_travel, &no_travel})
+    for (auto* check : {&usual_travel, &no_travel, &one_encoder})
       ASSERT_EQ((*check)({1e-3 * k, 0, {128.0 * k, 0}, {true, true}}, true), ph::fault_record{}) << k;
   EXPECT_EQ(usual_travel({0.065, 0, {8193, 0}, {true, true}}, true).channel, 1);
   EXPECT_EQ(no_travel({0.065, 0, {8193, 0}, {true, true}}, true), ph::fault_record{});
+  EXPECT_EQ(one_encoder({0.065, 0, {8193, 0}, {true, true}}, true), ph::fault_record{});
 }
 
 // A loose plug: no fault lasts for hold_over.

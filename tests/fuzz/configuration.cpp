@@ -71,17 +71,21 @@ std::string text_of(const example::configuration& c) {
   std::string all =
       ph::runtime::device_text(c.device) + c.port + c.sensor + c.log + remarks(c) + std::to_string(c.tare);
   const auto add = [&](const auto&... p) { ((all += ph::to_text(p)), ...); };
-  add(c.encoders, c.rates, c.curves[0], c.curves[1], c.force, c.homing, c.start, c.loop, c.real_time,
-      c.safety, c.supervisor, c.comedi, c.serial, c.comedi_sensor, c.net_ft, c.simulation);
+  for (const ph::brake_curve& curve : c.curves) add(curve);
+  add(c.encoders, c.rates, c.force, c.sensor_link, c.homing, c.start, c.loop, c.real_time, c.safety,
+      c.supervisor, c.serial, c.net_ft, c.simulation);
+  std::visit(add, c.comedi);
+  std::visit(add, c.comedi_sensor);
   return all;
 }
 
 void check(example::configuration c) {
   require_valid(c.device.brakes, c.device.options, c.device.scene, c.curves, c.encoders, c.rates, c.force,
-                c.homing, c.start, c.sensor_frame, c.loop, c.real_time, c.safety, c.supervisor, c.serial,
+                c.homing, c.start, c.sensor_link, c.loop, c.real_time, c.safety, c.supervisor, c.serial,
                 c.net_ft, c.simulation);
-  if (c.port == "comedi") require_valid(c.comedi);
-  if (c.sensor == "comedi") require_valid(c.comedi_sensor);
+  const auto is_valid = [](const auto& p) { require_valid(p); };
+  if (c.port == "comedi") std::visit(is_valid, c.comedi);
+  if (c.sensor == "comedi") std::visit(is_valid, c.comedi_sensor);
   require(c.home.allFinite(), "a home pose that is not finite");
   require(home_error(c).empty(), "a home pose deep in a wall", home_error(c));
 

@@ -16,6 +16,7 @@
 #include <passive_haptics/plant/brakes/coulomb_brake.hpp>
 #include <passive_haptics/runtime/device_file/read_device.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -103,7 +104,7 @@ void check(const std::string& device, const std::string& log) {
   const auto control = d.make_controller(all, *d.make_mechanism(all));
   const std::string once = replay(*control, log);
   for (const char* cell : {",nan", ",-nan", ",inf", ",-inf"})
-    require(!fuzz::has(once, cell), "what is not finite was written", once);
+    require(!fuzz::has(once, cell) || fuzz::has(log, cell), "what is not finite was written", once);
   require(replay(*control, once) == once, "another replay of its own output", once);
 }
 

@@ -17,9 +17,9 @@ TEST(scenes, are_felt_as_the_analytic_shape_or_named_in_the_limits) {
   constexpr number_range hands{0, 1};
   using M = ph::tendon_two_link<double>;
   const auto device = planar_scene_device();
-  const scene_bench bench =
-      bench_of<M>(device, {column<M>("velocity_direct_control", true, ph::velocity_direct_control()),
-                           column<M>("on_off_control", false, on_off_with_lead(device.brakes))});
+  const scene_bench bench = bench_of<M>(
+      device, {column<M>("velocity_direct_control", true, ph::velocity_direct_control()),
+               column<M>("on_off_control", false, with_lead(ph::on_off_control(), device.brakes))});
   std::map<std::pair<std::size_t, surface>, scene_figures> alone;
   for (const scene_kind& kind : scene_kinds)
     for (std::size_t l = 0; l < bench.laws.size(); ++l) {

@@ -123,7 +123,7 @@ def test_logs_of_other_programs_are_read(tmp_path):
     assert ph.read_log(path).line_count == 0
     ph.write_log(path, ph.read_log(path))
     assert path.read_bytes() == b"# passive_haptics log 1\n# units: s,rad\nt,q1\n"
-    guide = ph.read_log(os.path.join(ROOT, "docs", "guide", "replay_yours.csv"))
+    guide = ph.read_log(os.path.join(ROOT, "docs", "guide", "log.csv"))
     assert guide["note"][:2].tolist() == ["before homing", "above the wall"] and guide.units["q2"] == "m"
 
 

@@ -6,6 +6,7 @@
 #include "ways.hpp"
 
 #include <passive_haptics/runtime/catalogue.hpp>
+#include <passive_haptics/runtime/wall_motion.hpp>
 
 #include <span>
 
@@ -90,7 +91,7 @@ TEST(no_allocation, in_a_cycle_without_a_force_sensor) {
   EXPECT_TRUE(touched && probed);
 }
 
-// Chosen at run time, in a world with an effect.
+// Chosen at run time, in a world with an effect and a wall that moves.
 TEST(no_allocation, in_a_cycle_of_an_any_controller) {
   namespace rt = ph::runtime;
   using M = ph::tendon_two_link<double>;
@@ -99,9 +100,9 @@ TEST(no_allocation, in_a_cycle_of_an_any_controller) {
   all.add_laws(law);
   all.compile_for<M>(law);
   ph::world_walls<2> walls;
-  walls.add(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1})));
+  const int number = walls.add_moving(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1})));
   const rt::any_scene_with_effects<2> scene(
-      rt::any_scene<2>(ph::world<2>(walls)),
+      rt::any_scene<2>(rt::scene_in_motion(ph::world<2>(walls), {{number, {{0, 0.01}, 1}}})),
       {rt::any_effect<2>(ph::viscous_field<double, 2>({.viscosity = ph::matrix<double, 2, 2>::Identity()}))});
   const auto control = all.make_controller(rt::mechanism_model<M>(M()), all.laws()[0],
                                            {rt::brake_numbers(2), scene, all.laws()[0].defaults});

@@ -10,12 +10,18 @@ namespace {
 
 constexpr double min_remarked = 5e-5;  // [m], half of the last digit that is printed
 
-ph::point<2> home_position(const configuration& c) { return planar_device(c.mechanism).position(c.home); }
+spatial home_position(const configuration& c) { return c.mechanism.handle(c.home); }
 
-std::string pair_in_words(const char* format, const ph::vector<double, 2>& v) {
-  std::array<char, 100> text{};
-  std::snprintf(text.data(), text.size(), format, v[0], v[1]);
-  return text.data();
+// The first ones: "(0.0800, 0.2245)"
+template <class Numbers>
+std::string numbers_in_words(const char* format, const Numbers& v, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) {
+    std::array<char, 50> text{};
+    std::snprintf(text.data(), text.size(), format, v[i]);
+    all.append(i == 0 ? "(" : ", ").append(text.data());
+  }
+  return all + ")";
 }
 
 // "12.0 mm"
@@ -27,25 +33,26 @@ std::string millimetres(double metres) {
 
 // A word for joints that rotate, one for slides, or both in their order.
 std::string for_joints(const configuration& c, const std::string& rotating, const std::string& sliding) {
-  const joint_motion joints(*c.mechanism);
+  const joint_motion joints(c.mechanism);
   if (joints.all(false)) return rotating;
   if (joints.all(true)) return sliding;
   return joints.slides[0] ? sliding + " and " + rotating : rotating + " and " + sliding;
 }
 
 std::string angles_in_words(const configuration& c) {
-  return pair_in_words("(%.6g, %.6g) ", c.home) + for_joints(c, "rad", "m");
+  return numbers_in_words("%.6g", c.home, c.mechanism.joints()) + " " + for_joints(c, "rad", "m");
 }
 
 // "q (1.8812, -1.3055) rad, handle at (0.0800, 0.2245) m"
 std::string pose_in_words(const configuration& c) {
-  return angles_in_words(c) + ", handle at " + pair_in_words("(%.4f, %.4f) m", home_position(c));
+  return angles_in_words(c) + ", handle at " +
+         numbers_in_words("%.4f", home_position(c), c.mechanism.dimension()) + " m";
 }
 
 // No joint that turns starts beyond a turn: a turn less is the same place.
 bool looks_like_degrees(const configuration& c) {
-  const joint_motion joints(*c.mechanism);
-  for (int i = 0; i < axes; ++i)
+  const joint_motion joints(c.mechanism);
+  for (int i = 0; i < joints.joints; ++i)
     if (!joints.slides[static_cast<std::size_t>(i)] && std::abs(c.home[i]) > 2 * std::numbers::pi)
       return true;
   return false;
@@ -53,12 +60,12 @@ bool looks_like_degrees(const configuration& c) {
 
 std::string likely_cause(const configuration& c, const std::string& free_side) {
   if (looks_like_degrees(c)) {
-    const joint_motion joints(*c.mechanism);
-    ph::vector<double, 2> radians = c.home;
-    for (int i = 0; i < axes; ++i)
+    const joint_motion joints(c.mechanism);
+    axis_numbers radians = c.home;
+    for (int i = 0; i < joints.joints; ++i)
       if (!joints.slides[static_cast<std::size_t>(i)]) radians[i] *= std::numbers::pi / 180;
     return "; angles beyond a turn look like degrees: in radians they are " +
-           pair_in_words("(%.4f, %.4f)", radians);
+           numbers_in_words("%.4f", radians, joints.joints);
   }
   return "; " + free_side + "; is the pose that of this device, in " +
          for_joints(c, "radians, not degrees", "metres, not millimetres") +
@@ -67,11 +74,11 @@ std::string likely_cause(const configuration& c, const std::string& free_side) {
 
 }  // namespace
 
-wall_depth deepest_wall(const std::vector<named_wall>& walls, const ph::point<2>& x) noexcept {
+wall_depth deepest_wall(const std::vector<named_wall>& walls, const spatial& x) noexcept {
   wall_depth deepest;
   int number = 0;
   for (const named_wall& wall : walls) {
-    const double depth = -wall.shape.distance(x);
+    const double depth = -wall.distance(x);
     ++number;
     if (deepest.number == 0 || !(depth <= deepest.depth)) deepest = {number, depth};
   }
@@ -79,21 +86,23 @@ wall_depth deepest_wall(const std::vector<named_wall>& walls, const ph::point<2>
 }
 
 std::string home_in_words(const configuration& c) {
-  const ph::point<2> x = home_position(c);
+  const spatial x = home_position(c);
   std::string text = "home  q " + pose_in_words(c) + "\n";
   int number = 0;
   for (const named_wall& wall : c.walls) {
-    const double distance = wall.shape.distance(x);
-    text += "wall " + std::to_string(++number) + " (" + wall.type + "): " + millimetres(std::abs(distance)) +
-            (distance >= 0              ? " in front of it\n"
-             : distance > -min_remarked ? " inside it\n"
-                                        : " inside it: " + wall.free_side + "?\n");
+    const double distance = wall.distance(x);
+    text += "wall " + std::to_string(++number) + " (" + wall.type + "): ";
+    if (std::isinf(distance)) text += "an open surface, without an inside\n";
+    else if (distance >= 0) text += millimetres(distance) + " in front of it\n";
+    else
+      text += millimetres(-distance) + " inside it" +
+              (distance > -min_remarked ? "\n" : ": " + wall.free_side + "?\n");
   }
   return text;
 }
 
 std::string home_error(const configuration& c) {
-  const ph::point<2> x = home_position(c);
+  const spatial x = home_position(c);
   const std::string pose = "pose = " + pose_in_words(c);
   if (!ph::all_finite(x))
     return "pose = " + angles_in_words(c) +

@@ -19,7 +19,7 @@ struct wall_depth {
 };
 
 /// The wall in which a point [m] is deepest; the nearest one in front of all of them.
-wall_depth deepest_wall(const std::vector<named_wall>& walls, const ph::point<2>& x) noexcept;
+wall_depth deepest_wall(const std::vector<named_wall>& walls, const spatial& x) noexcept;
 
 /// A line for the home pose and one for each wall, as "wall 1 (half_space): 0.5 mm in front of it".
 std::string home_in_words(const configuration& c);

@@ -18,7 +18,7 @@ namespace example {
 struct samples {
   double now = 0;   ///< [s], since the loop began.
   double time = 0;  ///< When the encoders were read [s].
-  std::array<double, axes> counts{};
+  std::array<double, max_axes> counts{};
   std::array<double, sensor_channels> readings{};
 };
 
@@ -29,7 +29,7 @@ class haptic_device {
   explicit haptic_device(const configuration& c);
 
   /// Port and sensor of its simulation.
-  any_brake_port<axes, axes> simulated_port();
+  any_brake_port simulated_port();
   any_force_sensor simulated_sensor();
 
   /// One more cycle at rest, of homing, then of taring; what is to be done next.
@@ -38,9 +38,11 @@ class haptic_device {
   std::string hindrance() const;
   /// The wall in which the handle is deepest now; once it is homed.
   wall_depth deepest_wall(const samples& now) const noexcept;
+  /// A record without a motion and a decision.
+  record blank_record() const noexcept { return record(configuration_.mechanism.sizes()); }
   /// One cycle with walls, or without where it is not `running` yet: currents [A], and what is to be written
-  /// down.
-  ph::brake_currents<axes> cycle(const samples& now, phase doing, record& r) noexcept;
+  /// down, in a blank record.
+  ph::brake_currents<max_axes> cycle(const samples& now, phase doing, record& r) noexcept;
   /// Forgets the motion so far.
   void reset() noexcept { control_->reset(); }
 
@@ -52,10 +54,9 @@ class haptic_device {
   }
 
   configuration configuration_;
-  planar_device mechanism_;
-  ph::device_calibration<planar_device, sensor_channels, ph::planar_sensor_frame<2>> calibration_;
+  calibration calibration_;
   std::unique_ptr<ph::runtime::any_controller> control_;
-  ph::homing<axes> homing_;
+  ph::homing<max_axes> homing_;
   ph::steady_mean<sensor_channels> tare_;
   ph::steady_status hindered_ = ph::steady_status::collecting;  // the last that was not this
   phase doing_ = phase::homing;

@@ -2,22 +2,40 @@
 /// Ports of which only the configuration file knows what they are.
 #pragma once
 
+#include <devices/driven_mechanism.hpp>
+
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/port.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
 
 namespace example {
 
-namespace ph = passive_haptics;
+namespace detail {
 
-/// Any BrakePort with so many encoders and brakes.
-template <int Encoders, int Brakes>
+// Reads a sample of a device with fewer channels; those that it lacks read 0.
+template <class Device, int Own, int All>
+ph::port_status read_filled_up(Device& device, ph::port_sample<All>& sample) noexcept {
+  static_assert(Own <= All);
+  ph::port_sample<Own> own;
+  const ph::port_status status = device.read(own);
+  sample.time = own.time;
+  sample.sequence = own.sequence;
+  sample.valid.fill(true);
+  std::ranges::copy(own.value, sample.value.begin());
+  std::ranges::copy(own.valid, sample.valid.begin());
+  return status;
+}
+
+}  // namespace detail
+
+/// Any BrakePort with up to eight encoders and brakes.
 class any_brake_port {
  public:
-  static constexpr int encoder_count = Encoders, brake_count = Brakes;
+  static constexpr int encoder_count = max_axes, brake_count = max_axes;
 
   /// A Port made of these arguments.
   template <class Port, class... Arguments>
@@ -26,8 +44,8 @@ class any_brake_port {
   }
 
   std::string open() { return port_->open(); }
-  ph::port_status read(ph::port_sample<Encoders>& sample) noexcept { return port_->read(sample); }
-  ph::port_status write(const ph::brake_currents<Brakes>& currents) noexcept {
+  ph::port_status read(ph::port_sample<max_axes>& sample) noexcept { return port_->read(sample); }
+  ph::port_status write(const ph::brake_currents<max_axes>& currents) noexcept {
     return port_->write(currents);
   }
   void release() noexcept { port_->release(); }
@@ -38,8 +56,8 @@ class any_brake_port {
   struct interface {
     virtual ~interface() = default;
     virtual std::string open() = 0;
-    virtual ph::port_status read(ph::port_sample<Encoders>&) noexcept = 0;
-    virtual ph::port_status write(const ph::brake_currents<Brakes>&) noexcept = 0;
+    virtual ph::port_status read(ph::port_sample<max_axes>&) noexcept = 0;
+    virtual ph::port_status write(const ph::brake_currents<max_axes>&) noexcept = 0;
     virtual void release() noexcept = 0;
     virtual int counter_bits() const noexcept = 0;
     virtual double watchdog() const noexcept = 0;
@@ -49,9 +67,13 @@ class any_brake_port {
     template <class... Arguments>
     explicit model(Arguments&&... arguments) : port(std::forward<Arguments>(arguments)...) {}
     std::string open() override { return port.open(); }
-    ph::port_status read(ph::port_sample<Encoders>& sample) noexcept override { return port.read(sample); }
-    ph::port_status write(const ph::brake_currents<Brakes>& currents) noexcept override {
-      return port.write(currents);
+    ph::port_status read(ph::port_sample<max_axes>& sample) noexcept override {
+      return detail::read_filled_up<Port, Port::encoder_count>(port, sample);
+    }
+    ph::port_status write(const ph::brake_currents<max_axes>& currents) noexcept override {
+      ph::brake_currents<Port::brake_count> own;
+      std::copy_n(currents.begin(), own.size(), own.begin());
+      return port.write(own);
     }
     void release() noexcept override { port.release(); }
     int counter_bits() const noexcept override { return ph::counter_bits(port); }
@@ -63,7 +85,7 @@ class any_brake_port {
   std::unique_ptr<interface> port_;
 };
 
-/// Any ForceSensor with up to six channels; those that it lacks read 0.
+/// Any ForceSensor with up to six channels.
 class any_force_sensor {
  public:
   static constexpr int channel_count = 6;
@@ -93,22 +115,11 @@ class any_force_sensor {
   };
   template <class Sensor>
   struct model final : interface {
-    static constexpr int channels = Sensor::channel_count;
-    static_assert(channels <= 6);
     template <class... Arguments>
     explicit model(Arguments&&... arguments) : sensor(std::forward<Arguments>(arguments)...) {}
     std::string open() override { return sensor.open(); }
     ph::port_status read(ph::port_sample<6>& sample) noexcept override {
-      ph::port_sample<channels> own;
-      const ph::port_status status = sensor.read(own);
-      sample.time = own.time;
-      sample.sequence = own.sequence;
-      sample.valid.fill(true);
-      for (std::size_t i = 0; i < own.value.size(); ++i) {
-        sample.value[i] = own.value[i];
-        sample.valid[i] = own.valid[i];
-      }
-      return status;
+      return detail::read_filled_up<Sensor, Sensor::channel_count>(sensor, sample);
     }
     Sensor sensor;
   };

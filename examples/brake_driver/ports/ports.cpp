@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 namespace example {
 namespace {
@@ -31,9 +32,9 @@ ph::polling_parameters a_reading_twice_a_cycle(const configuration& c) {
 
 // The loop's is called by a thread of its own, as any of them may wait; the supervisor's may wait.
 template <class Port>
-any_brake_port<axes, axes> port_for(port_use use, Port port, const ph::polling_parameters& polling = {}) {
-  if (use == port_use::release) return any_brake_port<axes, axes>::of<Port>(std::move(port));
-  return any_brake_port<axes, axes>::of<ph::threaded_port<Port>>(std::move(port), polling);
+any_brake_port port_for(port_use use, Port port, const ph::polling_parameters& polling = {}) {
+  if (use == port_use::release) return any_brake_port::of<Port>(std::move(port));
+  return any_brake_port::of<ph::threaded_port<Port>>(std::move(port), polling);
 }
 
 template <class Sensor>
@@ -43,17 +44,20 @@ any_force_sensor sensor_for(Sensor sensor, const ph::polling_parameters& polling
 
 }  // namespace
 
-any_brake_port<axes, axes> make_port(const configuration& c, haptic_device& device, port_use use) {
+any_brake_port make_port(const configuration& c, haptic_device& device, port_use use) {
   if (c.port == "simulated") return device.simulated_port();
   if (c.port == "serial") {
     serial_port_parameters p = c.serial;
     p.release_only = use == port_use::release;
-    return port_for(use, serial_port<axes, axes>(p));
+    return port_for(use, serial_port<max_axes, max_axes>(p, c.mechanism.encoders(), c.mechanism.brakes()));
   }
 #if PASSIVE_HAPTICS_COMEDI
-  auto p = c.comedi;
-  p.start_counters = use == port_use::control;
-  return port_for(use, comedi_port<axes, axes>(p), a_reading_twice_a_cycle(c));
+  return std::visit(
+      [&]<int N>(comedi_port_parameters<N, N> p) {
+        p.start_counters = use == port_use::control;
+        return port_for(use, comedi_port<N, N>(p), a_reading_twice_a_cycle(c));
+      },
+      c.comedi);
 #else
   without_comedi();
 #endif
@@ -64,7 +68,11 @@ any_force_sensor make_sensor(const configuration& c, haptic_device& device) {
   if (c.sensor == "none") return any_force_sensor::none();
   if (c.sensor == "net_ft") return sensor_for(net_ft(c.net_ft));
 #if PASSIVE_HAPTICS_COMEDI
-  return sensor_for(comedi_force_sensor<2>(c.comedi_sensor), a_reading_twice_a_cycle(c));
+  return std::visit(
+      [&]<int N>(const comedi_force_sensor_parameters<N>& p) {
+        return sensor_for(comedi_force_sensor<N>(p), a_reading_twice_a_cycle(c));
+      },
+      c.comedi_sensor);
 #else
   without_comedi();
 #endif

@@ -14,7 +14,7 @@ enum class port_use { control, release };
 /// The port of the configuration; a simulated one belongs to the device, any other is called by a thread of
 /// its own where it controls. Throws std::invalid_argument where this program was built without what it
 /// needs.
-any_brake_port<axes, axes> make_port(const configuration& c, haptic_device& device, port_use use);
+any_brake_port make_port(const configuration& c, haptic_device& device, port_use use);
 /// Its force sensor, in the same way.
 any_force_sensor make_sensor(const configuration& c, haptic_device& device);
 

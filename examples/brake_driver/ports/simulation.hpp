@@ -31,22 +31,20 @@ namespace example {
 /// Plant, hand, encoders and force sensor, calibrated as the configuration says. It goes on to the present
 /// whenever somebody reads it. The wire to its brakes is one that a supervisor's process shares.
 class simulation {
-  using pair = ph::vector<double, 2>;
-
  public:
   /// The mechanism has inertia.
   explicit simulation(const configuration& c)
-      : calibration_(planar_device(c.mechanism), {c.encoders, c.rates, c.curves, c.force}, c.sensor_frame),
+      : mechanism_(c.mechanism),
+        calibration_(calibration_of(c)),
         p_(c.simulation),
-        frame_(c.sensor_frame),
         force_(c.force),
         curves_(c.curves),
         walls_(c.walls),
-        device_(catalogue().make_plant(*c.mechanism, real_brakes(c), c.simulation.hand_mass,
-                                       {c.home.data(), axes})),
+        device_(catalogue().make_plant(c.mechanism.of(), real_brakes(c), c.simulation.hand_mass,
+                                       first(c.home, mechanism_.joints()))),
         sensor_({.corner = 200, .noise = c.simulation.sensor_noise, .seed = c.simulation.seed}),
         wire_(c.simulation.watchdog, c.simulation.wire) {
-    const ph::following_hand<double, 2> hand({1, 0}, position());
+    const ph::following_hand<double, 3> hand(spatial::UnitX(), position());
     ph::require_no_error(ph::check_time_step(dt, hand.min_time_constant(device_->min_mass())));
   }
 
@@ -54,12 +52,12 @@ class simulation {
   void let_the_hand_in() noexcept { take_hold(1, std::max(time_, p_.hand_start)); }
 
   /// Counts of the encoders, which start anywhere and wrap at 2^counter_bits.
-  std::array<double, axes> counts() noexcept {
+  std::array<double, max_axes> counts() noexcept {
     advance();
-    const auto exact = calibration_.encoders.counts(calibration_.axis_positions(q()));
-    std::array<double, axes> all;
+    const auto exact = calibration_.encoders.counts(axis_positions());
+    std::array<double, max_axes> all;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const double count = std::floor(exact[static_cast<int>(i)]) + somewhere[i];
+      const double count = std::floor(exact[static_cast<int>(i)]) + somewhere[i % 2];
       all[i] = count - std::floor(count / turn) * turn;
     }
     return all;
@@ -68,10 +66,10 @@ class simulation {
   /// Raw values of the force sensor, with an offset: C raw = R^T (F + m g) + offset, the least such raw.
   std::array<double, sensor_channels> readings() noexcept {
     advance();
-    const ph::vector<double, 2> force = sensor_.read() + force_.handle_mass * force_.gravity;
-    const ph::vector<double, 2> felt = frame_(q()).transpose() * force + offset;
+    const spatial force = sensor_.read() + force_.handle_mass * force_.gravity;
+    const spatial felt = calibration_.sensor_frame(axis_positions()).transpose() * force + offset;
     const auto& C = force_.newtons_per_unit;
-    const ph::matrix<double, 2, 2> CCt = C * C.transpose();
+    const ph::matrix<double, 3, 3> CCt = C * C.transpose();
     const ph::vector<double, sensor_channels> raw = C.transpose() * CCt.inverse() * felt;
     std::array<double, sensor_channels> all;
     std::copy_n(raw.data(), all.size(), all.begin());
@@ -79,7 +77,7 @@ class simulation {
   }
 
   /// False where the board's watchdog let go, and no release came since.
-  bool set(const ph::brake_currents<axes>& currents) noexcept {
+  bool set(const ph::brake_currents<max_axes>& currents) noexcept {
     advance();
     return wire_->set(currents);
   }
@@ -91,8 +89,8 @@ class simulation {
 
  private:
   static constexpr double dt = 1e-4, max_at_once = 0.1, turn = 1 << counter_bits;  // [s, s, counts]
-  static constexpr std::array<double, axes> somewhere{100.0, turn - 200};
-  inline static const ph::vector<double, 2> offset{0.3, -0.2};  // [N]
+  static constexpr std::array somewhere{100.0, turn - 200};
+  inline static const spatial offset{0.3, -0.2, 0.1};  // [N]
 
   // Those of the file, or one of the kind that [simulation] names for each curve
   static std::vector<ph::runtime::run_time_brake> real_brakes(const configuration& c) {
@@ -100,7 +98,8 @@ class simulation {
     for (const auto& model : c.device.brake_models)
       all.push_back(ph::runtime::entry_of(catalogue().brake_models(), model.name).make(model.parameters));
     if (all.empty())
-      for (const ph::brake_curve& curve : c.curves) all.push_back(brake_of(curve, c.simulation));
+      for (int i = 0; i < c.mechanism.brakes(); ++i)
+        all.push_back(brake_of(c.curves[static_cast<std::size_t>(i)], c.simulation));
     return all;
   }
 
@@ -126,16 +125,21 @@ class simulation {
     return run_time_brake(with(ph::coulomb_brake<double>()));
   }
 
-  pair q() const { return pair(device_->q().data()); }
-  pair position() const { return pair(device_->position().data()); }
-  // Of the first wall, along which the hand goes; 0 without walls
-  pair normal(const pair& x) const {
-    return walls_.empty() ? pair(pair::Zero()) : pair(walls_.front().shape.gradient(x));
+  template <class V>
+  static std::span<const double> first(const V& v, int count) {
+    return {v.data(), static_cast<std::size_t>(count)};
+  }
+  axis_numbers axis_positions() const {
+    return mechanism_.axis_positions(filled_up<axis_numbers>(device_->q()));
+  }
+  spatial position() const { return filled_up<spatial>(device_->position()); }
+  // Of the first wall, along which the hand goes; 0 without walls and of an open surface
+  spatial normal(const spatial& x) const {
+    return walls_.empty() ? spatial(spatial::Zero()) : walls_.front().gradient(x);
   }
 
   void take_hold(double sense, double time) {
-    const ph::vector<double, 2> direction(sense * p_.direction[0], sense * p_.direction[1]);
-    hand_.emplace(direction, position(),
+    hand_.emplace(sense * filled_up<spatial>(p_.direction), position(),
                   ph::following_hand_parameters<double>{
                       .speed = p_.speed, .push = sense > 0 ? p_.push : -p_.push / 4, .mass = p_.hand_mass});
     hand_from_ = position();
@@ -148,53 +152,53 @@ class simulation {
     if (start_ < 0) start_ = now;
     // A program that was stopped does not catch up on hours
     if (now - start_ - time_ > max_at_once) start_ = now - time_ - max_at_once;
-    const ph::brake_currents<axes> flowing = wire_->flowing(now);
+    const ph::brake_currents<max_axes> flowing = wire_->flowing(now);
     for (; time_ + dt <= now - start_; time_ += dt) {
-      ph::vector<double, axes> strength;
-      for (int i = 0; i < axes; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        strength[i] = torque_of_current(curves_[k], flowing[k]) - curves_[k].residual_torque;
-      }
-      const pair x = position();
-      pair muscle = pair::Zero();
+      axis_numbers strength;
+      for (std::size_t i = 0; i < flowing.size(); ++i)
+        strength.data()[i] = torque_of_current(curves_[i], flowing[i]) - curves_[i].residual_torque;
+      const spatial x = position();
+      spatial muscle = spatial::Zero();
       if (hand_ && time_ >= hand_since_) {
         if ((x - hand_from_).norm() > p_.path) take_hold(-sense_, time_);
-        muscle = hand_->force(time_ - hand_since_, x, pair(device_->velocity().data()), normal(x), 0);
+        muscle = hand_->force(time_ - hand_since_, x, filled_up<spatial>(device_->velocity()), normal(x), 0);
       }
-      device_->advance(dt, {strength.data(), axes}, {muscle.data(), 2});
-      sensor_.advance(dt, pair(device_->sensed_force().data()));
+      device_->advance(dt, first(strength, mechanism_.brakes()), first(muscle, mechanism_.dimension()));
+      sensor_.advance(dt, filled_up<spatial>(device_->sensed_force()));
     }
   }
 
-  ph::device_calibration<planar_device, sensor_channels, ph::planar_sensor_frame<2>> calibration_;
+  driven_mechanism mechanism_;
+  calibration calibration_;
   simulation_parameters p_;
-  ph::planar_sensor_frame<2> frame_;
-  ph::force_calibration_parameters<2, sensor_channels> force_;
-  ph::brake_curves<axes> curves_;
+  ph::force_calibration_parameters<3, sensor_channels> force_;
+  ph::brake_curves<max_axes> curves_;
   std::vector<named_wall> walls_;
   std::unique_ptr<ph::runtime::any_plant> device_;
-  ph::force_sensor<double, 2> sensor_;
-  std::optional<ph::following_hand<double, 2>> hand_;  // none before it may take the handle
-  ph::vector<double, 2> hand_from_;
+  ph::force_sensor<double, 3> sensor_;
+  std::optional<ph::following_hand<double, 3>> hand_;  // none before it may take the handle
+  spatial hand_from_ = spatial::Zero();
   double hand_since_ = 0, sense_ = 1;
   double start_ = -1, time_ = 0;  // [s]
-  shared_simulated_wire<axes> wire_;
+  shared_simulated_wire<max_axes> wire_;
 };
 
 /// A BrakePort to a simulation. The loop cannot wait for it: it computes, and makes no system call.
 class simulated_port {
  public:
-  static constexpr int encoder_count = axes, brake_count = axes;
+  static constexpr int encoder_count = max_axes, brake_count = max_axes;
 
   explicit simulated_port(std::shared_ptr<simulation> device) : device_(std::move(device)) {}
 
   std::string open() { return {}; }
-  ph::port_status read(ph::port_sample<axes>& sample) noexcept {
-    const auto counts = device_->counts();
-    sample = {ph::monotonic_seconds(), ++sequence_, counts, {true, true}};
+  ph::port_status read(ph::port_sample<max_axes>& sample) noexcept {
+    sample.value = device_->counts();
+    sample.time = ph::monotonic_seconds();
+    sample.sequence = ++sequence_;
+    sample.valid.fill(true);
     return ph::port_status::ok;
   }
-  ph::port_status write(const ph::brake_currents<axes>& currents) noexcept {
+  ph::port_status write(const ph::brake_currents<max_axes>& currents) noexcept {
     return device_->set(currents) ? ph::port_status::ok : ph::port_status::failed;
   }
   void release() noexcept { device_->release(); }

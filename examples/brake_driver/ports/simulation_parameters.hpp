@@ -4,9 +4,9 @@
 
 #include <passive_haptics/core/parameters.hpp>
 
-#include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace example {
 
@@ -20,11 +20,11 @@ enum class brake_kind { coulomb, stribeck, magnetorheological, eddy_current };
 struct simulation_parameters {
   /// When the hand takes the handle, after the first sample and not before the sensor is tared [s].
   double hand_start = 2;
-  std::array<double, 2> direction{1, 0};  ///< In which it goes first, base frame; any length.
-  double path = 0.06;                     ///< How far it goes before it lifts off [m].
-  double speed = 0.05;                    ///< Along the wall [m/s].
-  double push = 2;         ///< Into the wall [N]; a quarter of it off the wall on the way back.
-  double hand_mass = 0.5;  ///< [kg]
+  std::vector<double> direction{1, 0};  ///< d, in which it goes first, base frame; any length.
+  double path = 0.06;                   ///< How far it goes before it lifts off [m].
+  double speed = 0.05;                  ///< Along the wall [m/s].
+  double push = 2;                      ///< Into the wall [N]; a quarter of it off the wall on the way back.
+  double hand_mass = 0.5;               ///< [kg]
   brake_kind brake = brake_kind::coulomb;  ///< Each with the limit and residual torque of its curve.
   double brake_lag = 0.020;                ///< Time constant of the simulated brakes [s].
   double sensor_noise = 0.02;              ///< Standard deviation of each force channel [N].

@@ -6,38 +6,56 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 
 namespace example {
 namespace {
 
+// A parameter of the law, or its default in velocity_direct_control, whose depth is printed under any law.
+double of_law(const configuration& c, std::string_view name, double otherwise) {
+  ph::runtime::any_parameters law = c.device.law.parameters;
+  for (const auto& f : law.fields())
+    if (f.about.name == name) return *f.numbers();
+  return otherwise;
+}
+
 // The wall as the handle meets it at home, approached at this speed [m/s].
 ph::braked_wall wall_at_home(const configuration& c, double approach) {
-  using V = ph::vector<double, 2>;
   if (c.walls.empty())
     throw std::invalid_argument("walls = [], expected one or more for --limits, which is about the first");
-  const V n = c.walls.front().shape.gradient(planar_device(c.mechanism).position(c.home)),
-          u(c.simulation.direction[0], c.simulation.direction[1]);
-  const V along = u - n * n.dot(u);
-  const V velocity = c.simulation.speed * along.stableNormalized() - approach * n;
-  const V residual(c.curves[0].residual_torque, c.curves[1].residual_torque);
-  const V resolution = ph::encoder_calibration<axes>(c.encoders).resolution();
-  const auto found = catalogue().braked_wall_at(*c.mechanism, c.device.brakes,
-                                                {.q = {c.home.data(), axes},
-                                                 .velocity = {velocity.data(), 2},
-                                                 .normal = {n.data(), 2},
-                                                 .residual_torque = {residual.data(), axes},
-                                                 .resolution = {resolution.data(), axes},
+  const spatial n = c.walls.front().gradient(c.mechanism.handle(c.home)),
+                u = filled_up<spatial>(c.simulation.direction);
+  const spatial along = u - n * n.dot(u);
+  const spatial velocity = c.simulation.speed * along.stableNormalized() - approach * n;
+  axis_numbers residual;
+  for (std::size_t i = 0; i < c.curves.size(); ++i) residual.data()[i] = c.curves[i].residual_torque;
+  const axis_numbers resolution = ph::encoder_calibration<max_axes>(c.encoders).resolution();
+  const auto first = [](const auto& v, int count) {
+    return std::span<const double>(v.data(), static_cast<std::size_t>(count));
+  };
+  const driven_mechanism& m = c.mechanism;
+  const auto found = catalogue().braked_wall_at(m.of(), c.device.brakes,
+                                                {.q = first(c.home, m.joints()),
+                                                 .velocity = first(velocity, m.dimension()),
+                                                 .normal = first(n, m.dimension()),
+                                                 .residual_torque = first(residual, m.brakes()),
+                                                 .resolution = first(resolution, m.encoders()),
                                                  .hand_mass = c.simulation.hand_mass});
   if (!found)
     throw std::invalid_argument("[mechanism] type = \"" + c.device.mechanism.name +
-                                "\", expected one with inertia for --limits");
+                                "\", expected one with inertia and no more joints than dimensions for "
+                                "--limits");
   ph::braked_wall wall = *found;
   wall.push = c.simulation.push;
   wall.control_period = c.loop.period;
   wall.scene_period = std::max(c.loop.period, c.device.scene.period);
-  wall.averaging_time =
-      c.rates.window * c.loop.period + 2 * ph::velocity_direct_control_parameters().rate_lag;
+  const ph::velocity_direct_control_parameters usual;
+  wall.reaction_time = of_law(c, "rate_lag", usual.rate_lag);
+  wall.averaging_time = c.rates.window * c.loop.period + 2 * wall.reaction_time;
+  wall.rest_depth = of_law(c, "rest_depth", usual.rest_depth);
+  wall.depth_per_jump = of_law(c, "depth_per_jump", usual.depth_per_jump);
   return wall;
 }
 

@@ -5,7 +5,9 @@
 #include <configuration/configuration.hpp>
 #include <configuration/home.hpp>
 
-#include <array>
+#include <passive_haptics/runtime/cycle_record.hpp>
+
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -14,43 +16,43 @@ namespace example {
 /// What the driver is doing.
 enum class phase : std::uint8_t { homing, taring, running };
 
-/// Not known: an empty cell of the log.
-inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-using pair = std::array<double, axes>;
-inline constexpr pair unknown_pair{unknown, unknown};
-
-/// Of a step_result, what is written down.
-struct decision_record {
-  ph::status outcome = ph::status::ok;
-  ph::power_class power = ph::power_class::none;
-  ph::display_class display = ph::display_class::exact;
-  double gamma = 0, alpha = 1;            ///< [rad], [1]
-  pair desired_force{}, control_force{};  ///< Fd, Fc [N]
-  pair capacity{};                        ///< What each brake may hold [N m or N].
-  pair torque{};                          ///< What each brake is predicted to do [N m or N].
-
-  double approximation_angle() const { return gamma; }
-};
-
 /// A cycle, as a value that processes can hand over.
 struct record {
   double time = 0;          ///< [s], since the loop began.
   std::int64_t number = 0;  ///< Of the period.
   phase doing = phase::homing;
   ph::port_state state = ph::port_state::ready;
-  ph::fault_record reason;                   ///< Why the brakes are released.
-  wall_depth too_deep;                       ///< Why ready brakes do not come on; none where they may.
-  bool needs_homing = false;                 ///< Whether they stay so until the program starts again.
-  ph::fault_record held_over;                ///< What is wrong with the last samples.
-  pair q = unknown_pair, qd = unknown_pair;  ///< [rad or m], and of it a second; known once it is homed.
-  pair x = unknown_pair;                     ///< Handle [m]; known once the device is homed.
-  pair hand_force = unknown_pair;            ///< [N]; known once the sensor is tared.
-  decision_record decision;
-  bool was_asked = false;        ///< Whether there is a decision.
-  pair current{};                ///< What each brake gets [A].
-  bool current_is_known = true;  ///< False where the device is lost or refuses.
-  double late = 0, compute = 0;  ///< [s]
+  ph::fault_record reason;               ///< Why the brakes are released.
+  wall_depth too_deep;                   ///< Why ready brakes do not come on; none where they may.
+  bool needs_homing = false;             ///< Whether they stay so until the program starts again.
+  ph::fault_record held_over;            ///< What is wrong with the last samples.
+  ph::runtime::joint_numbers q, qd;      ///< [rad or m], and of it a second; NaN until it is homed.
+  ph::runtime::task_numbers x;           ///< Handle [m]; NaN until the device is homed.
+  ph::runtime::task_numbers hand_force;  ///< [N]; NaN until the sensor is tared.
+  ph::runtime::cycle_record decision;
+  bool was_asked = false;              ///< Whether there is a decision.
+  ph::runtime::joint_numbers current;  ///< What each brake gets [A].
+  bool current_is_known = true;        ///< False where the device is lost or refuses.
+  double late = 0, compute = 0;        ///< [s]
+
+  record() = default;
+  /// Of a device with these sizes: nothing is known of its motion, and its brakes are released.
+  explicit record(const ph::runtime::device_sizes& sizes) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();  // an empty cell of the log
+    const auto fill = [](auto& numbers, int count, double value) {
+      numbers.count = count;
+      std::fill_n(numbers.values.begin(), count, value);
+    };
+    fill(q, sizes.dof, unknown);
+    fill(qd, sizes.dof, unknown);
+    fill(x, sizes.task_dimension, unknown);
+    fill(hand_force, sizes.task_dimension, unknown);
+    fill(decision.desired_force, sizes.task_dimension, 0);
+    fill(decision.control_force, sizes.task_dimension, 0);
+    fill(decision.capacity, sizes.brake_count, 0);
+    fill(decision.torque, sizes.brake_count, 0);
+    fill(current, sizes.brake_count, 0);
+  }
 };
 
 }  // namespace example

@@ -1,5 +1,6 @@
 #include <report/report.hpp>
 
+#include <log/device_name.hpp>
 #include <passive_haptics/runtime/device_file/device_text.hpp>
 
 #include <fcntl.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -72,8 +72,8 @@ void put(log_row& row, const joint_kinds& joints, const record& r) {
   row.put("state", to_string(r.state));
   row.put("reason", reason(r));
   row.put("held_over", words(r.held_over));
-  row.put("x", "m", r.x[0]);
-  row.put("y", "m", r.x[1]);
+  constexpr std::array names{"x", "y", "z"};
+  for (std::size_t i = 0; i < r.x.size(); ++i) row.put(names[i], "m", r.x[i]);
   row.put("current", "A", r.current);
   row.put("late", "s", r.late);
   row.put("compute", "s", r.compute);
@@ -81,6 +81,15 @@ void put(log_row& row, const joint_kinds& joints, const record& r) {
 
 // "-" for what is not known yet.
 std::string number(const char* format, double value) { return std::isnan(value) ? "-" : text(format, value); }
+
+// "0.08, 0.22"
+template <class Numbers>
+std::string list(const char* format, const Numbers& values) {
+  std::string all;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    all.append(i == 0 ? "" : ", ").append(number(format, values[i]));
+  return all;
+}
 
 // A terminal breaks longer lines, and loses those at its top: then it could not be written over.
 std::string fitting(const std::string& table, const winsize& terminal) {
@@ -93,11 +102,6 @@ std::string fitting(const std::string& table, const winsize& terminal) {
 }
 
 }  // namespace
-
-std::string device_name(const std::string& log) {
-  const std::filesystem::path path(log);
-  return (path.extension() == ".csv" ? path.parent_path() / path.stem() : path).string() + ".device.toml";
-}
 
 std::string duration(double nanoseconds) {
   if (nanoseconds < 1e3) return text("%.0f ns", nanoseconds);
@@ -124,10 +128,11 @@ report_sink::report_sink(const session_options& options, const configuration& c)
       title_(summary(c)),
       live_(options.live),
       live_port_(options.live_port),
-      device_text_(ph::runtime::device_text(c.device)) {
-  const joint_motion motion(*c.mechanism);
+      curves_(c.curves),
+      device_text_(ph::runtime::device_text(c.device)),
+      blank_(c.mechanism.sizes()) {
+  const joint_motion motion(c.mechanism);
   joints_ = {std::vector<bool>(motion.slides.begin(), motion.slides.end())};
-  for (std::size_t i = 0; i < c.curves.size(); ++i) current_limit_[i] = c.curves[i].current_limit;
 }
 
 std::string report_sink::open() {
@@ -140,13 +145,13 @@ std::string report_sink::open() {
   if (output_ < 0) output_ = STDOUT_FILENO;
   if (const std::string error = stream_.open(live_port_); !error.empty())
     return "UDP port " + std::to_string(live_port_) + ": " + error;
-  put(row_, joints_, {});  // names the columns
+  put(row_, joints_, blank_);  // names the columns
   if (name_.empty()) return {};
   auto file = std::make_unique<output_file>(name_);  // not there without the other
   device_file_ = std::make_unique<output_file>(device_name(name_), leftover::replace);
   file_ = std::move(file);
   file_->stream() << row_.header();
-  device_file_->stream() << device_text_;
+  device_file_->stream() << device_text_ << std::flush;  // for the log of a run that is killed
   return {};
 }
 
@@ -192,7 +197,7 @@ std::string report_sink::loss() const {
 
 void report_sink::show() {
   const record& r = last_;
-  const double degrees = ph::degrees(r.decision.gamma);
+  const double degrees = ph::degrees(r.decision.approximation_angle());
   const char* const ampere = r.current_is_known ? "A" : "A?";
   std::string state(to_string(r.state));
   if (r.too_deep.number > 0) state += ", " + not_activated_in_words(r.too_deep);
@@ -203,15 +208,12 @@ void report_sink::show() {
   const std::string rearm = way_back(r);
   if (!terminal_) {
     if (!rearm.empty()) state += " (" + rearm + ")";
-    pending_ = text(
-        "%7.1f s  %-10s handle (%s, %s) m  hand (%5s, %5s) N  %-17s brakes %s, %s %s  late %s at "
-        "most%s\n",
-        r.time, state.c_str(), number("%.4f", r.x[0]).c_str(), number("%.4f", r.x[1]).c_str(),
-        number("%.2f", r.hand_force[0]).c_str(), number("%.2f", r.hand_force[1]).c_str(),
-        displays(r) ? ph::display_text(r.decision).data() : "no display",
-        number("%.3f", r.current[0]).c_str(), number("%.3f", r.current[1]).c_str(), ampere,
-        duration(static_cast<double>(late_.maximum())).c_str(),
-        loss().empty() ? "" : ("  " + loss()).c_str());
+    pending_ =
+        text("%7.1f s  %-10s handle (%s) m  hand (%s) N  %-17s brakes %s %s  late %s at most%s\n", r.time,
+             state.c_str(), list("%.4f", r.x).c_str(), list("%5.2f", r.hand_force).c_str(),
+             displays(r) ? ph::display_text(r.decision).data() : "no display",
+             list("%.3f", r.current).c_str(), ampere, duration(static_cast<double>(late_.maximum())).c_str(),
+             loss().empty() ? "" : ("  " + loss()).c_str());
     write_shown();
     return;
   }
@@ -220,21 +222,25 @@ void report_sink::show() {
                 text("%.1f s", r.time).c_str());
   table += "state    " + state + "\n";
   if (!rearm.empty()) table += "rearm    " + rearm + "\n";
-  const auto xy = [&](const char* name, const char* format, const pair& v, const char* unit) {
-    table += text("%-8s x %8s %s    y %8s %s\n", name, number(format, v[0]).c_str(), unit,
-                  number(format, v[1]).c_str(), unit);
+  const auto components = [&](const char* name, const char* format, const ph::runtime::task_numbers& v,
+                              const char* unit) {
+    std::string line = text("%-8s", name);
+    for (std::size_t i = 0; i < v.size(); ++i)
+      line += text("%s %c %8s %s", i == 0 ? "" : "   ", "xyz"[i], number(format, v[i]).c_str(), unit);
+    return line;
   };
-  xy("handle", "%.4f", r.x, "m");
-  xy("hand", "%.3f", r.hand_force, "N");
-  table += displays(r) ? text("wall     x %8.1f N    y %8.1f N    %s, %s, gamma %.0f deg, alpha %.2f\n",
-                              r.decision.desired_force[0], r.decision.desired_force[1],
-                              to_string(r.decision.power).data(), ph::display_text(r.decision).data(),
-                              degrees, r.decision.alpha)
-                       : "wall     not displayed\n";
+  table += components("handle", "%.4f", r.x, "m") + "\n";
+  table += components("hand", "%.3f", r.hand_force, "N") + "\n";
+  table += displays(r)
+               ? components("wall", "%.1f", r.decision.desired_force, "N") +
+                     text("    %s, %s, gamma %.0f deg, alpha %.2f\n", to_string(r.decision.power).data(),
+                          ph::display_text(r.decision).data(), degrees, r.decision.alpha)
+               : "wall     not displayed\n";
   for (std::size_t i = 0; i < r.current.size(); ++i)
-    table += text("brake %zu  %9s /s  may hold %6.3f %s  %6s %s  ", i + 1, number("%.4f", r.qd[i]).c_str(),
-                  r.decision.capacity[i], joints_.torque()(i), number("%.3f", r.current[i]).c_str(), ampere) +
-             bar(r.current[i] / current_limit_[i], 20) + "\n";
+    table += text("brake %zu  %9s /s  may hold %6.3f %s  %6s %s  ", i + 1,
+                  number("%.4f", i < r.qd.size() ? r.qd[i] : std::nan("")).c_str(), r.decision.capacity[i],
+                  joints_.torque()(i), number("%.3f", r.current[i]).c_str(), ampere) +
+             bar(r.current[i] / curves_[i].current_limit, 20) + "\n";
   for (const auto& [name, h] : {std::pair{"late", &late_}, std::pair{"compute", &compute_}})
     table += text("%-8s p50 %8s   p99 %8s   p99.9 %8s   max %8s\n", name,
                   duration(static_cast<double>(h->percentile(0.5))).c_str(),

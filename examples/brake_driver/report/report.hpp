@@ -13,10 +13,10 @@
 
 #include <sys/ioctl.h>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace example {
 
@@ -48,10 +48,10 @@ class report_sink {
   joint_kinds joints_;
   log_row row_;
   live_stream stream_;
-  std::array<double, axes> current_limit_{};
+  ph::brake_curves<max_axes> curves_;
   std::string device_text_;
   std::unique_ptr<output_file> file_, device_file_;
-  record last_;
+  record blank_, last_;
   std::uint64_t count_ = 0, kept_ = 0, lost_ = 0, missing_ = 0;
   double shown_ = -1;  // time of the last record that was shown [s]
   int lines_ = 0;      // of the table on the terminal,
@@ -60,9 +60,6 @@ class report_sink {
   std::string pending_;  // what is shown but had no room yet
   ph::duration_histogram late_, compute_;
 };
-
-/// Name of the device file that replays a log: LOG.device.toml of LOG.csv.
-std::string device_name(const std::string& log);
 
 /// A histogram as lines of a table, durations by powers of two.
 std::string bars(const ph::duration_histogram& h);

@@ -38,8 +38,8 @@ template <int Encoders, int Brakes>
            Brakes <= int{serial::max_channels})
 class serial_port {
  public:
-  static constexpr int encoder_count = Encoders;  ///< Channels of a sample.
-  static constexpr int brake_count = Brakes;      ///< Currents.
+  static constexpr int encoder_count = Encoders;  ///< Channels of a sample, at most.
+  static constexpr int brake_count = Brakes;      ///< Currents, at most.
   static constexpr int release_copies = 3;        ///< Frames of one release().
 
   /// What went wrong on the line, since open().
@@ -49,8 +49,10 @@ class serial_port {
     unsigned long unsent = 0;   ///< Currents that had no room.
   };
 
-  /// Throws std::invalid_argument with the text of validate(p).
-  explicit serial_port(const serial_port_parameters& p) : parameters_(ph::require_valid(p)) {}
+  /// To a device with so many encoders and brakes; further channels of a sample are 0. Throws
+  /// std::invalid_argument with the text of validate(p).
+  explicit serial_port(const serial_port_parameters& p, int encoders = Encoders, int brakes = Brakes)
+      : parameters_(ph::require_valid(p)), encoders_(encoders), brakes_(brakes) {}
   ~serial_port() { release(); }
   serial_port(serial_port&&) noexcept = default;
 
@@ -79,7 +81,7 @@ class serial_port {
     take([&](serial::outcome o) {
       serial::sample m;
       const bool is_sample = o == serial::outcome::packet && unpack(decoder_.last(), m);
-      if (is_sample && m.encoders == Encoders) {
+      if (is_sample && m.encoders == encoders_) {
         fresh = true;
         newest_ = m;
         to.sequence = decoder_.last().sequence;
@@ -94,7 +96,7 @@ class serial_port {
     if (!fresh) return damaged ? ph::port_status::bad_sample : ph::port_status::no_sample;
     for (std::size_t i = 0; i < to.channels; ++i) {
       to.value[i] = newest_.count[i];
-      to.valid[i] = ((newest_.encoder_faults >> i) & 1) == 0;
+      to.valid[i] = i >= newest_.encoders || ((newest_.encoder_faults >> i) & 1) == 0;
     }
     return refused(now) ? ph::port_status::failed : ph::port_status::ok;
   }
@@ -104,8 +106,8 @@ class serial_port {
   ph::port_status write(const ph::brake_currents<Brakes>& currents) noexcept {
     if (lost_ || !line_.is_open()) return ph::port_status::failed;
     serial::currents m;
-    m.brakes = Brakes;
-    for (std::size_t i = 0; i < currents.size(); ++i) {
+    m.brakes = static_cast<std::uint8_t>(brakes_);
+    for (std::size_t i = 0; i < m.brakes; ++i) {
       const double units = std::round(currents[i] / serial::current_unit);
       m.current[i] = units > 0 ? static_cast<std::uint16_t>(std::min<double>(units, hello_.current_limit))
                                : std::uint16_t{0};
@@ -144,6 +146,7 @@ class serial_port {
 
  private:
   serial_port_parameters parameters_;
+  int encoders_, brakes_;
   serial_line line_;
   serial::decoder decoder_;
   serial::hello hello_;
@@ -197,7 +200,7 @@ class serial_port {
       }
     }
     if (lost_) return "the device went away before it sent its name";
-    return answered ? error_of_hello(hello_, Encoders, Brakes)
+    return answered ? error_of_hello(hello_, encoders_, brakes_)
                     : error_of_silence(parameters_, bytes, packets);
   }
 };

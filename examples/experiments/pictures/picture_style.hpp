@@ -1,35 +1,25 @@
 // What the pictures of the experiments share: colours, text, tables that gnuplot reads.
 #pragma once
 
+#include "../laws.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace experiments::style {
 
-// Colours that the colour-blind can distinguish (Okabe and Ito 2008); a law has the same one in every
-// picture.
 inline std::string colour_of(const std::string& law) {
-  constexpr std::array<std::pair<const char*, const char*>, 11> known{
-      {{"no_direct_control", "#d55e00"},
-       {"direct_control", "#0072b2"},
-       {"velocity_direct_control", "#009e73"},
-       {"saturated_direct_control", "#cc79a7"},
-       {"direct_control, dead band", "#56b4e9"},
-       {"velocity_direct_control, on touch", "#000000"},
-       {"coercive_force_approximation", "#994f00"},
-       {"single_degree_of_freedom_control", "#e69f00"},
-       {"velocity_ratio_control", "#7f6000"},
-       {"on_off_control", "#888888"},
-       {"bang_bang_control", "#aaaa00"}}};
-  for (const auto& [name, colour] : known)
-    if (law == name) return colour;
-  return "#666666";
+  const char* colour = "#666666";
+  const auto look = [&](const auto& row) {
+    if (law == row.name) colour = row.colour;
+  };
+  std::apply([&](const auto&... row) { (look(row), ...); }, compared_laws);
+  return colour;
 }
 
 // Text between single quotes of a gnuplot script.

@@ -11,9 +11,9 @@ runner_events.replayed = () => {
 };
 runner_events.refused = ({reason}) => warn(reason);
 runner_events.log = ({text, device}) => {
-  if (device) save_text('explorer_device.toml', device, 'application/toml');
+  if (device) save_text('explorer_log.device.toml', device, 'application/toml');
   save_text('explorer_log.csv', text, 'text/csv');
-  const command = './examples/run replay --input=explorer_log.csv --config=explorer_device.toml';
+  const command = './examples/run replay explorer_log.csv';
   say('explorer_log.csv is a log of the library. ' + (device ? 'It replays with: ' + command : ''));
 };
 

@@ -5,6 +5,7 @@
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 
+#include <concepts>
 #include <limits>
 
 namespace passive_haptics {
@@ -17,6 +18,11 @@ concept has_inverse_jacobian = requires(const M mechanism, const joint_vector<M>
 template <class M>
 concept has_inverse_transposed_jacobian = requires(const M mechanism, const joint_vector<M> q) {
   { mechanism.inverse_transposed_jacobian(q) } -> ExactMatrix<typename M::scalar, M::task_dimension, M::dof>;
+};
+// Of a mechanism behind virtual functions (runtime/mechanism_of_kind.hpp).
+template <class M>
+concept has_force_generators = requires(const mechanism_pose<M>& pose) {
+  { pose.mechanism().force_generators(pose.own()) } -> std::same_as<brake_matrix<M>>;
 };
 }  // namespace detail
 
@@ -32,16 +38,20 @@ template <class M>
 brake_matrix<M> force_generators(const mechanism_pose<M>& pose) {
   using T = typename M::scalar;
   const M& mechanism = pose.mechanism();
-  const matrix<T, M::dof, M::brake_count> Tt = pose.transposed_transmission();
-  if constexpr (detail::has_inverse_transposed_jacobian<M>) {
-    return mechanism.inverse_transposed_jacobian(pose.q()) * Tt;
-  } else if constexpr (detail::has_inverse_jacobian<M>) {
-    return transposed(mechanism.inverse_jacobian(pose.q())) * Tt;
+  if constexpr (detail::has_force_generators<M>) {
+    return mechanism.force_generators(pose.own());
   } else {
-    const auto Jt = transposed(matrix<T, M::dof, M::dof>(pose.jacobian()));
-    const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, T(0));
-    if (decomposition.rank() == M::dof) return decomposition.solve(Tt);
-    return brake_matrix<M>::Constant(std::numeric_limits<T>::quiet_NaN());
+    const matrix<T, M::dof, M::brake_count> Tt = pose.transposed_transmission();
+    if constexpr (detail::has_inverse_transposed_jacobian<M>) {
+      return mechanism.inverse_transposed_jacobian(pose.q()) * Tt;
+    } else if constexpr (detail::has_inverse_jacobian<M>) {
+      return transposed(mechanism.inverse_jacobian(pose.q())) * Tt;
+    } else {
+      const auto Jt = transposed(matrix<T, M::dof, M::dof>(pose.jacobian()));
+      const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, T(0));
+      if (decomposition.rank() == M::dof) return decomposition.solve(Tt);
+      return brake_matrix<M>::Constant(std::numeric_limits<T>::quiet_NaN());
+    }
   }
 }
 

@@ -126,6 +126,8 @@ class mechanism_pose {
   const M& mechanism() const { return mechanism_; }
   /// q [rad or m].
   const joint_vector<M>& q() const { return q_; }
+  /// The result of the mechanism's pose(q), or q if it has no pose.
+  const auto& own() const { return pose_; }
 
  private:
   const M& mechanism_;

@@ -85,11 +85,15 @@ using scene_for = std::conditional_t<saturates_before_scaling<L>, strongest_cont
 template <class M>
 using controller_brakes = std::conditional_t<Settles<M>, brakes_of<M>, switchable_brakes<M>>;
 
-/// True if controllers of M under law L take effects: only direct_control, with n = m = d.
+/// True if law L displays effects: only direct_control.
+template <class L>
+inline constexpr bool displays_effects =
+    ScalingLaw<L> && nulls_normal_force<L> && !saturates_before_scaling<L>;
+
+/// True if controllers of M under law L take effects: those of a law that displays them, with n = m = d.
 template <class M, class L>
 inline constexpr bool takes_effects =
-    ScalingLaw<L> && nulls_normal_force<L> && !saturates_before_scaling<L> && M::dof == M::task_dimension &&
-    M::brake_count == M::task_dimension;
+    displays_effects<L> && M::dof == M::task_dimension && M::brake_count == M::task_dimension;
 
 /// Controller of M under law L, compiled once for each kind of mechanism.
 template <class M, class L, class S = scene_for<L, M::task_dimension>>

@@ -31,6 +31,8 @@ class any_mechanism {
   virtual device_sizes sizes() const noexcept = 0;
   /// True if it has mass_matrix, bias_torque and bias_acceleration.
   virtual bool has_inertia() const noexcept = 0;
+  /// False for a handle of which the mechanism says that it keeps its orientation: M::handle_rotates.
+  virtual bool handle_rotates() const noexcept = 0;
   /// End effector [m], base frame.
   virtual task_numbers position(std::span<const double> q) const noexcept = 0;
   /// J, d x n, column by column.
@@ -60,6 +62,10 @@ class mechanism_model final : public any_mechanism {
 
   device_sizes sizes() const noexcept override { return {n, d, m}; }
   bool has_inertia() const noexcept override { return Dynamics<M>; }
+  bool handle_rotates() const noexcept override {
+    if constexpr (requires { M::handle_rotates; }) return M::handle_rotates;
+    else return true;
+  }
   task_numbers position(std::span<const double> q) const noexcept override {
     return task_numbers(own_.position(joint_vector<M>(q.data())));
   }

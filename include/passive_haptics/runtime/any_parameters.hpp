@@ -31,15 +31,36 @@ struct field {
   member_description about;                     ///< Name, unit, range.
   kind type = kind::numbers;                    ///< Of which type.
   void* at = nullptr;                           ///< The value, or the first of the numbers.
-  int rows = 1;                                 ///< Of numbers, column by column.
+  int rows = 1;                                 ///< Of numbers, column by column; of whole numbers.
   int columns = 1;                              ///< Likewise.
   int (*get)(const void* at) = nullptr;         ///< Reads a whole number, truth or choice.
-  void (*set)(void* at, int value) = nullptr;   ///< Writes it.
+  bool (*set)(void* at, int value) = nullptr;   ///< Writes it; false for a negative number of a type without.
+  std::size_t stride = 0;                       ///< From one whole number of an array to the next [bytes].
   std::vector<std::vector<field>> tables = {};  ///< Of each struct of the list.
+  /// Makes so many structs of a list and gives their tables; nullptr if the length of the list is fixed.
+  std::vector<std::vector<field>> (*resize_tables)(void* at, std::size_t count) = nullptr;
   /// Makes so many points of a list, each of `rows` numbers, one after the other; the first number.
   double* (*resize)(void* at, std::size_t points) = nullptr;
   /// The number of points of such a list.
   std::size_t (*size)(const void* at) = nullptr;
+
+  /// Of `count` values that are a whole number, truth or choice each.
+  template <class V>
+  static field of(const member_description& about, V* first, int count) {
+    field f{about,
+            std::is_enum_v<V>         ? kind::choice
+            : std::is_same_v<V, bool> ? kind::truth
+                                      : kind::whole,
+            first};
+    f.rows = count;
+    f.stride = sizeof(V);
+    f.get = [](const void* from) { return static_cast<int>(*static_cast<const V*>(from)); };
+    f.set = [](void* to, int x) {
+      *static_cast<V*>(to) = static_cast<V>(x);
+      return x >= 0 || !std::is_unsigned_v<V>;
+    };
+    return f;
+  }
 
   int count() const { return rows * columns; }                          ///< How many numbers.
   double* numbers() const { return static_cast<double*>(at); }          ///< The numbers.
@@ -51,6 +72,17 @@ using field_list = std::vector<field>;
 
 /// Adds the members of a struct, which must outlive the list.
 template <Parameters P>
+void add_fields(field_list& all, P& table);
+
+/// The fields of each struct of a list, which must outlive them.
+template <class List>
+std::vector<field_list> tables_of(List& list) {
+  std::vector<field_list> all;
+  for (auto& one : list) add_fields(all.emplace_back(), one);
+  return all;
+}
+
+template <Parameters P>
 void add_fields(field_list& all, P& table) {
   for_each_member(table, [&](const member_description& about, auto& value) {
     using V = std::remove_cvref_t<decltype(value)>;
@@ -58,8 +90,13 @@ void add_fields(field_list& all, P& table) {
     if constexpr (Parameters<V>) {
       add_fields(all, value);
     } else if constexpr (requires { requires Parameters<typename V::value_type>; }) {
-      field& f = all.emplace_back(field{about, kind::tables});
-      for (auto& one : value) add_fields(f.tables.emplace_back(), one);
+      field& f = all.emplace_back(field{about, kind::tables, &value});
+      f.tables = tables_of(value);
+      if constexpr (requires { value.resize(1); })
+        f.resize_tables = [](void* at, std::size_t count) {
+          static_cast<V*>(at)->resize(count);
+          return tables_of(*static_cast<V*>(at));
+        };
     } else if constexpr (std::is_same_v<V, std::string>) {
       all.push_back({about, kind::text, &value});
     } else if constexpr (requires { value.resize(1), value[0].data(); }) {
@@ -71,11 +108,9 @@ void add_fields(field_list& all, P& table) {
       };
       f.size = [](const void* at) { return static_cast<const V*>(at)->size(); };
     } else if constexpr (std::is_enum_v<V> || std::is_integral_v<V>) {
-      field& f = all.emplace_back(field{about, kind::whole, &value});
-      if constexpr (std::is_enum_v<V>) f.type = kind::choice;
-      else if constexpr (std::is_same_v<V, bool>) f.type = kind::truth;
-      f.get = [](const void* at) { return static_cast<int>(*static_cast<const V*>(at)); };
-      f.set = [](void* at, int x) { *static_cast<V*>(at) = static_cast<V>(x); };
+      all.push_back(field::of(about, &value, 1));
+    } else if constexpr (requires { requires std::is_same_v<typename V::value_type, int>; }) {
+      all.push_back(field::of(about, value.data(), static_cast<int>(value.size())));
     } else if constexpr (std::is_same_v<V, double>) {
       all.push_back({about, kind::numbers, &value});
     } else {

@@ -29,6 +29,7 @@ struct law_entry {
   bool needs_hand_force = false;  ///< As the law says, like the two below.
   bool needs_dynamics = false;    ///< As the law says.
   bool takes_one_wall = false;    ///< Of several it gets the strongest contact.
+  bool displays_effects = false;  ///< Of devices with n = m = d (takes_effects).
   std::type_index type;           ///< Of the law.
 };
 
@@ -82,7 +83,7 @@ class catalogue {
  public:
   /// All mechanisms, in the order in which they were added.
   const std::vector<mechanism_entry>& mechanisms() const { return mechanisms_; }
-  /// All laws.
+  /// All laws, in the order of preference.
   const std::vector<law_entry>& laws() const { return laws_; }
   /// All brake models.
   const std::vector<brake_model_entry>& brake_models() const { return brake_models_; }
@@ -117,7 +118,7 @@ class catalogue {
   template <class... L>
   void add_laws(const named_law<L>&... laws) {
     (laws_.push_back({laws.name, any_parameters(law_parameters<L>()), needs_hand_force<L>, needs_dynamics<L>,
-                      saturates_before_scaling<L>, typeid(L)}),
+                      saturates_before_scaling<L>, displays_effects<L>, typeid(L)}),
      ...);
   }
   /// A shape made of parameters P.

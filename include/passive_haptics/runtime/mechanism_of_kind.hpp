@@ -23,7 +23,6 @@ struct mechanism_kind {
   int task_dimension = 0;                  ///< d
   int brake_count = 0;                     ///< m
   bool has_constant_transmission = false;  ///< Else none: a brake on each joint.
-  bool has_inverse = false;                ///< J^-T by a formula of the mechanism's own.
   /// Equal in all members.
   friend bool operator==(const mechanism_kind&, const mechanism_kind&) = default;
 };
@@ -31,9 +30,7 @@ struct mechanism_kind {
 /// The kind of mechanism M.
 template <DifferentiableMechanism M>
 inline constexpr mechanism_kind kind_of{M::dof, M::task_dimension, M::brake_count,
-                                        detail::transmission_is_constant<M>,
-                                        detail::has_inverse_transposed_jacobian<M> ||
-                                            (M::dof == M::task_dimension && detail::has_inverse_jacobian<M>)};
+                                        detail::transmission_is_constant<M>};
 
 /// Holds a mechanism of this kind. Copies share it. A cycle has the bits that it has with the mechanism
 /// itself, at the cost of a virtual call for a pose.
@@ -50,7 +47,8 @@ class mechanism_of_kind {
 
   using joints = vector<double, n>;     ///< [rad or m] or rates of them.
   using task = vector<double, d>;       ///< [m], [m/s] or [m/s^2].
-  using d_by_n = matrix<double, d, n>;  ///< J or J^-T.
+  using d_by_n = matrix<double, d, n>;  ///< J
+  using d_by_m = matrix<double, d, m>;  ///< G
   using m_by_n = matrix<double, m, n>;  ///< T
   using n_by_n = matrix<double, n, n>;  ///< M
 
@@ -86,11 +84,11 @@ class mechanism_of_kind {
   d_by_n jacobian(const pose_values& at) const { return at.J; }
   /// J in pose q.
   d_by_n jacobian(const joints& q) const { return pose(q).J; }
-  /// J^-T by the mechanism's own formula.
-  d_by_n inverse_transposed_jacobian(const joints& q) const
-    requires(Kind.has_inverse)
+  /// G (4) [N per N m], as force_generators() makes it of the mechanism.
+  d_by_m force_generators(const pose_values& at) const
+    requires(n == d)
   {
-    return held_->inverse_transposed_jacobian(q);
+    return held_->force_generators(at);
   }
   /// T
   m_by_n transmission() const
@@ -121,7 +119,7 @@ class mechanism_of_kind {
     explicit any_model(bool inertia) : has_inertia(inertia) {}
     virtual ~any_model() = default;
     virtual void measure(const joints& q, pose_values& at) const = 0;
-    virtual d_by_n inverse_transposed_jacobian(const joints& q) const = 0;
+    virtual d_by_m force_generators(const pose_values& at) const = 0;
     virtual n_by_n mass_matrix(const pose_values& at) const = 0;
     virtual joints bias_torque(const pose_values& at, const joints& qd) const = 0;
     virtual task bias_acceleration(const pose_values& at, const joints& qd) const = 0;
@@ -142,11 +140,9 @@ class mechanism_of_kind {
       at.x = own.position();
       at.J = own.jacobian();
     }
-    d_by_n inverse_transposed_jacobian([[maybe_unused]] const joints& q) const override {
-      if constexpr (detail::has_inverse_transposed_jacobian<M>)
-        return mechanism.inverse_transposed_jacobian(q);
-      else if constexpr (Kind.has_inverse) return transposed(mechanism.inverse_jacobian(q));
-      else return d_by_n::Constant(nan);
+    d_by_m force_generators([[maybe_unused]] const pose_values& at) const override {
+      if constexpr (n == d) return passive_haptics::force_generators(own(at));
+      else return d_by_m::Constant(nan);
     }
     n_by_n mass_matrix(const pose_values& at) const override {
       if constexpr (Dynamics<M>) return own(at).mass_matrix();

@@ -40,6 +40,13 @@ TEST_F(a_configuration, tells_what_its_wall_can_be) {
     EXPECT_EQ(o.status, 0) << o.err;
     EXPECT_TRUE(has(o.out, "least noticeable drift")) << o.out;
   }
+  const auto with_law = [this](const std::string& keys) {
+    file("c.toml", "[law]\ntype = \"velocity_direct_control\"\n" + keys);
+    return run({"--config", "c.toml", "--limits"}).out;
+  };
+  const std::string usual = with_law("");
+  EXPECT_EQ(with_law("rate_lag = 0.004\n"), usual);
+  EXPECT_NE(with_law("rate_lag = 0.02\n"), usual);
 }
 
 TEST_F(a_configuration, of_another_mechanism_or_without_a_file_is_right) {
@@ -92,16 +99,16 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
        "2: [sensor] mounting [rad] = -90, expected at most 6.28319; this looks like degrees: in radians "
        "it is -1.5708; if it is meant, allow_large = [\"mounting\"]\n"},
       {"[[walls]]\nsurface_point = 0",
-       "2: walls[1].surface_point = 0, expected 2 numbers: a finite number [m]\n"},
+       "2: walls[0].surface_point = 0, expected 2 numbers: a finite number [m]\n"},
       {"[simulation]\ndirection = 1", "2: simulation.direction = 1, expected 2 numbers: a direction [1]\n"},
       {"[[walls]]\nstiffness = -1",
-       "2: [walls[1]] stiffness of a wall [N/m] = -1, expected a finite number >= 0\n"},
+       "2: [walls[0]] stiffness of a wall [N/m] = -1, expected a finite number >= 0\n"},
       {"[homing]\nmax_start_depth = inf",
        "2: [homing] max_start_depth [m] = inf, expected a finite number >= 0"},
       {"[homing]\npose = [inf, 0]", "2: [homing] pose[0] [rad or m] = inf, expected a finite number"},
       {"[mechanism]\ntype = \"five_bar\"",
        " [homing] pose is missing, expected joint positions at the start"},
-      {"[[walls]]\n[[walls]]\nnormal = [0, 0]", "3: [walls[2]] "},
+      {"[[walls]]\n[[walls]]\nnormal = [0, 0]", "3: [walls[1]] "},
       {"law.type = \"direct_control\"\n[sensor]\ntype = \"none\"",
        "1: law.type = 'direct_control', expected one of \"on_off_control\", \"no_direct_control\": "
        "direct_control needs a hand force, and [sensor] has type = \"none\"\n"},
@@ -118,17 +125,25 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
   });
 }
 
-// Two joints with two brakes in the plane; one without inertia can be driven, not simulated.
+// One without inertia can be driven, not simulated; a force sensor in space stays on a handle that does not
+// rotate.
 TEST_F(a_configuration, takes_each_mechanism_that_it_can_drive) {
   const std::string arm =
       "[mechanism]\ntype = \"planar_chain_2\"\nhandle = [0.3, 0]\n[[mechanism.joints]]\npoint = [0, 0]\n"
       "[[mechanism.joints]]\npoint = [0.15, 0]\n[homing]\npose = [1.8812, -1.3055]\n";
+  const std::string joint = "[[mechanism.joints]]\naxis = [0, 0, 1]\n",
+                    arm_in_space = "[mechanism]\ntype = \"spatial_chain_3\"\nhandle = [0.3, 0, 0]\n" + joint +
+                                   joint + joint + "[homing]\npose = 0.1\n";
   expect_named({
-      {"[mechanism]\ntype = \"delta\"",
-       "2: mechanism.type = 'delta', expected one of \"tendon_two_link\", \"two_link\", \"xy_table\", "
-       "\"five_bar\", \"planar_chain_2\", \"planar_chain_2_with_inertia\": this program drives two joints "
-       "with two brakes in the plane\n"},
-      {"[mechanism]\ntype = \"five_bar_with_four_brakes\"", "2: mechanism.type = 'five_bar_with_four_"},
+      {"[mechanism]\ntype = \"five_bar_with_four_brakes\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\ntype = "
+       "\"none\"\n[port]\ntype = \"comedi\"",
+       "8: port.type = 'comedi', expected \"simulated\" or \"serial\": a card has two or three brakes with "
+       "an encoder each\n"},
+      {arm_in_space + "[sensor]\ntype = \"net_ft\"",
+       "13: sensor.type = 'net_ft', expected \"none\": the handle of a spatial_chain_3 rotates in "
+       "space, and no sensor that rotates with it is read\n"},
+      {"[mechanism]\ntype = \"delta\"\n[sensor]\nlink = [1, 1, 1]",
+       "4: unknown key 'sensor.link', expected one "},
       {arm,
        "1: [mechanism] type = \"planar_chain_2\", expected one with inertia, which a simulated device "
        "needs\n"},
@@ -154,10 +169,10 @@ TEST_F(a_configuration, with_an_old_key_gets_the_new_name) {
       {"law = \"direct_control\"",
        "1: law = 'direct_control', expected a table, [law], with type = \"...\": the key was renamed\n"},
       {"[[wall]]\nnormal = [0, -1]", "1: wall = [ a table ], expected [[walls]]: the key was renamed\n"},
-      {"[[walls]]\ntype = \"plane\"", "2: walls[1].type = 'plane', expected \"half_space\": the shape was "},
-      {"[[walls]]\npoint = [0, 1]", "2: walls[1].point = [ 0, 1 ], expected surface_point: the key was "},
+      {"[[walls]]\ntype = \"plane\"", "2: walls[0].type = 'plane', expected \"half_space\": the shape was "},
+      {"[[walls]]\npoint = [0, 1]", "2: walls[0].point = [ 0, 1 ], expected surface_point: the key was "},
       {"[[walls]]\ntype = \"ball\"\ncentre = [0, 0]\nradius = 0.1\nfilling = \"solid\"",
-       "5: walls[1].filling = 'solid', expected inside: the key was renamed\n"},
+       "5: walls[0].filling = 'solid', expected inside: the key was renamed\n"},
   });
 }
 
@@ -170,7 +185,7 @@ TEST_F(a_configuration, says_nothing_that_nobody_reads) {
   const std::string five_bar = "[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\n";
   expect_named({
       {tables + "table_2 = [[0, 0], [1, 1]]\ntorque_per_ampere = 1.5",
-       "4: brakes.torque_per_ampere = 1.5, expected no slope where both brakes have a table, "},
+       "4: brakes.torque_per_ampere = 1.5, expected no slope where all brakes have a table, "},
       {"[brakes]\ntable_2 = []", "2: brakes.table_2 = [], expected 2 to 16 pairs of amperes"},
       {"[brakes]\nheat = 5", "2: brakes.heat = 5, expected continuous_current beside it, "},
       {"[brakes]\nloss_per_kelvin = 0.002",

@@ -17,6 +17,20 @@ struct a_log : a_driver {
     const int status = status_of(spawn(command, "replay"));
     return {status, text_of(directory / "replay.out"), text_of(directory / "replay.err")};
   }
+  // All capacities, of the log that the driver left and its device file, and some of them above 0.
+  void expect_all_as_in_the_log(const outcome& replayed) const {
+    EXPECT_TRUE(replayed.out.starts_with("device: brake_driver.device.toml\n"))
+        << replayed.out << replayed.err;
+    const log_file all = log();
+    std::size_t decisions = 0, driven_brakes = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      decisions += !all.text(i, "capacity1").empty();
+      driven_brakes += all.number(i, "capacity1") > 0 || all.number(i, "capacity2") > 0;
+    }
+    EXPECT_GT(driven_brakes, 100U) << "of " << decisions << " decisions";
+    const std::string number = std::to_string(decisions);
+    EXPECT_TRUE(has(replayed.out, "to the last digit: " + number + " of " + number + "\n")) << replayed.out;
+  }
 };
 
 // Nothing is at 5145.8 rad, and an offset is no force.
@@ -71,8 +85,7 @@ TEST_F(a_log, replays_to_the_same_decisions_to_the_last_digit) {
     const auto replayed_from = [&](const char* input, const char* output, const char* length = "0.151") {
       file("device.toml", std::string("[mechanism]\nlength_1 = ") + length +
                               "\n[brakes]\nrate_dead_band = 0.03\n[law]\ntype = \"" + law + "\"\n");
-      return replay(
-          {"--config=device.toml", std::string("--input=") + input, std::string("--output=") + output});
+      return replay({input, "--config=device.toml", std::string("--output=") + output});
     };
     const outcome o = replayed_from("brake_driver.csv", "once");
     ASSERT_EQ(o.status, 0) << o.err;
@@ -122,20 +135,48 @@ TEST_F(a_log, comes_with_a_device_file_that_replays_it) {
     EXPECT_TRUE(has(driven.out, "device: brake_driver.device.toml\n")) << driven.out;
     ASSERT_TRUE(fs::exists(device_file));
     EXPECT_FALSE(fs::exists(device_file.string() + ".part"));
-    const outcome o =
-        replay({"--config=brake_driver.device.toml", "--input=brake_driver.csv", "--output=again"});
+    const outcome o = replay({"brake_driver.csv", "--output=again"});
     ASSERT_EQ(o.status, 0) << o.err;
-    const log_file all = log();
-    std::size_t decisions = 0, driven_brakes = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      decisions += !all.text(i, "capacity1").empty();
-      driven_brakes += all.number(i, "capacity1") > 0 || all.number(i, "capacity2") > 0;
-    }
-    EXPECT_GT(driven_brakes, 100U) << "of " << decisions << " decisions";
-    const std::string number = std::to_string(decisions);
-    EXPECT_TRUE(has(o.out, "to the last digit: " + number + " of " + number + "\n")) << sections << o.out;
-    EXPECT_EQ(log_file(directory / "again/replay.csv").size(), all.size());
+    expect_all_as_in_the_log(o);
+    EXPECT_EQ(log_file(directory / "again/replay.csv").size(), log().size());
   }
+}
+
+// With the memory of a law from before the release, a tenth of the capacities would be others.
+TEST_F(a_log, of_a_run_with_rearms_replays_to_the_same_decisions) {
+  start(settings{.max_sleep = 0.4, .hand_start = 0.3, .start_depth = 0.1, .top = ""});
+  std::size_t row = 0;
+  for (int release = 0; release < 2; ++release) {
+    ASSERT_TRUE(reaches("active", row, &row)) << ended();
+    ASSERT_TRUE(eventually([&] { return log().size() > row + 800; }));
+    freeze(0.8);
+    ASSERT_TRUE(reaches("released", row, &row)) << ended();
+    ASSERT_TRUE(eventually([&] {
+      send(SIGUSR1);
+      const log_file all = log();
+      return all.size() > 1 && all.text(all.size() - 2, "state") == "active";
+    })) << ended();
+  }
+  ASSERT_TRUE(eventually([&] { return log().size() > row + 800; }));
+  EXPECT_EQ(interrupt().status, 3);
+  expect_all_as_in_the_log(replay({"brake_driver.csv"}));
+}
+
+// As the last step of the tutorial makes it.
+TEST_F(a_log, of_a_mechanism_and_a_law_from_outside_replays_to_the_same_decisions) {
+  const std::string program = PASSIVE_HAPTICS_BOTH_PROGRAMS;
+  std::string text = text_of(std::string(PASSIVE_HAPTICS_GUIDE_DIR) + "/step_9_programs.toml");
+  text +=
+      "duration = 0.1\ntolerance = 1e6\nmax_gap = 5\n[loop]\nmax_overruns = 1000000\nmax_sleep = 10\n"
+      "[safety]\nhold_over = 5\nsupervisor_timeout = 5\n[simulation]\nhand_start = 0.5\n";
+  file("crane.toml", text);
+  pid = spawn({program, "--config", "crane.toml", "--seconds=2", "--quiet"}, "driver");
+  const outcome driven = end();
+  EXPECT_EQ(driven.status, 0) << driven.err;
+  EXPECT_EQ(driven.err, "");
+  ASSERT_EQ(status_of(spawn({program, "replay", "brake_driver.csv"}, "replay")), 0)
+      << text_of(directory / "replay.err");
+  expect_all_as_in_the_log({0, text_of(directory / "replay.out"), ""});
 }
 
 TEST_F(a_log, is_not_begun_where_its_device_file_cannot_be) {
@@ -148,12 +189,16 @@ TEST_F(a_log, is_not_begun_where_its_device_file_cannot_be) {
 
 TEST_F(a_log, that_is_wrong_is_named_with_file_line_and_column) {
   file("a.csv", "t,q1,q2,qd1,qd2,Fh_x,Fh_y\n0,1,2,3,4,5,x\n");
+  file("c.toml", "law.type = \"direct_control\"\n");
   file("wrong.toml", "[mechanism]\nlength_1 = -1\n");
   file("key.toml", "homeing = 1\n");
   for (const auto& [arguments, status, message] : {
-           std::tuple{words{"--input=a.csv"}, 1,
+           std::tuple{words{"a.csv", "--config=c.toml"}, 1,
                       "error: a.csv, line 2, column 7: 'x', expected a finite number for 'Fh_y'\n"},
-           {words{"--input=none.csv"}, 1, "error: cannot read 'none.csv'\n"},
+           {words{"none.csv"}, 1, "error: cannot read 'none.csv': No such file or directory\n"},
+           {words{"a.csv"}, 2,
+            "error: a.device.toml: no such file, expected the device file that brake_driver wrote next to "
+            "a.csv; give the device of the log by --config FILE\n"},
            {words{"--config=none.toml"}, 2, "error: none.toml: no such file\n"},
            {words{"--config=wrong.toml"}, 2,
             "error: wrong.toml:2: [mechanism] length_1 [m] = -1, expected a finite number > 0\n"},
@@ -205,6 +250,20 @@ TEST_F(a_log, comes_live_as_json_to_a_port_of_this_machine) {
   EXPECT_TRUE(first.starts_with("{\"t\":" + all.text(0, "t") + ",\"cycle\":")) << first;
   EXPECT_TRUE(first.ends_with(",\"compute\":" + all.text(0, "compute") + "}")) << first;
   EXPECT_TRUE(has(first, ",\"state\":\"ready\",")) << first;
+}
+
+// The device files that ship, with times that suit a busy machine.
+TEST_F(a_log, of_each_shipped_device_replays) {
+  const fs::path devices = fs::path(shipped) / "../catalogue/devices";
+  fs::copy_file(devices / "part.stl", directory / "part.stl");
+  for (const char* name : {"paper.toml", "five_bar.toml", "delta.toml"}) {
+    const outcome driven = run(text_of(devices / name) +
+                                   "\n[safety]\nhold_over = 5\nsupervisor_timeout = 5\n"
+                                   "[loop]\nmax_overruns = 1000000\nmax_sleep = 10\n",
+                               {"--seconds=4", "--quiet"});
+    ASSERT_EQ(driven.status, 0) << name << driven.err;
+    expect_all_as_in_the_log(replay({"brake_driver.csv", "--output=again"}));
+  }
 }
 
 }  // namespace logs_tests

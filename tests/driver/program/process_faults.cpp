@@ -18,7 +18,7 @@ namespace process_faults_tests {
 
 using namespace program;
 using passive_haptics::monotonic_seconds;
-using wire = example::simulated_wire<2>;
+using wire = example::simulated_wire<8>;
 
 // [s]; timeout < 0.8 watchdog
 constexpr double timeout = 0.4, watchdog = 1, ramp_time = 0.8, hold_time = 1.2;

@@ -45,15 +45,22 @@ TEST_F(a_running_driver, homes_tares_displays_the_wall_and_leaves_a_whole_log) {
   EXPECT_NEAR(all.number(0, "current1"), 0, 0);
 }
 
+// In the plane and in space, with more brakes or joints than dimensions.
 TEST_F(a_running_driver, takes_any_mechanism) {
-  const outcome o =
-      run("[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\nduration = 0.1\n[sensor]\nlink = "
-          "[0, 0]\n"
-          "[safety]\nhold_over = 5\nsupervisor_timeout = 5\n[loop]\nmax_overruns = 1000000\nmax_sleep = 10\n",
-          {"--seconds", "2", "--quiet"});
-  EXPECT_EQ(o.status, 0) << o.out << o.err;
-  EXPECT_EQ(log().text(log().size() - 1, "state"), "active");
-  EXPECT_EQ(log().text(log().size() - 1, "status"), "ok");
+  for (const std::string& device : {
+           std::string("[mechanism]\ntype = \"five_bar_with_four_brakes\"\n[sensor]\nlink = [0, 0]\n"
+                       "[homing]\npose = [1.9, 1.2]\n"),
+           std::string("[mechanism]\ntype = \"delta\"\n[homing]\n"),
+       }) {
+    const outcome o =
+        run(device +
+                "duration = 0.1\ntolerance = 1e6\n[safety]\nhold_over = 5\nsupervisor_timeout = 5\n"
+                "[loop]\nmax_overruns = 1000000\nmax_sleep = 10\n",
+            {"--seconds", "2", "--quiet"});
+    EXPECT_EQ(o.status, 0) << o.out << o.err;
+    EXPECT_EQ(log().text(log().size() - 1, "state"), "active") << device;
+    EXPECT_EQ(log().text(log().size() - 1, "status"), "ok") << device;
+  }
 }
 
 TEST_F(a_running_driver, keeps_the_shipped_configurations_promise) {

@@ -1,4 +1,5 @@
 // The format of a log: what is written reads back, what is wrong is named with file, line and column.
+#include <log/device_name.hpp>
 #include <log/known_columns.hpp>
 #include <log/live_stream.hpp>
 #include <log/log_columns.hpp>
@@ -136,6 +137,12 @@ TEST(log_row, reads_back_as_the_same_numbers) {
     ASSERT_EQ(std::bit_cast<std::uint64_t>(reader.number(q)), std::bit_cast<std::uint64_t>(x)) << x;
   }
   EXPECT_FALSE(reader.next());
+}
+
+TEST(device_name, is_that_of_the_log_until_and_after_it_is_whole) {
+  EXPECT_EQ(example::device_name("a.b/c.csv"), "a.b/c.device.toml");
+  EXPECT_EQ(example::device_name("a.b/c.csv.part"), "a.b/c.device.toml.part");
+  EXPECT_EQ(example::device_name("a.b/c"), "a.b/c.device.toml");
 }
 
 TEST(log_reader, finds_columns_by_name_beside_others) {

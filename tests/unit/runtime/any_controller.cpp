@@ -3,7 +3,8 @@
 
 #include "../support.hpp"
 
-#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
@@ -12,60 +13,40 @@
 namespace {
 
 using tendon = ph::tendon_two_link<double>;
-using five_bar = ph::five_bar<double>;
+using held_tendon = rt::held_mechanism<tendon>;
 
-constexpr rt::named_law<ph::direct_control> law{"direct_control"};
-
-// Of two mechanisms and one law.
-rt::catalogue small_catalogue() {
-  rt::catalogue all;
-  all.add_mechanism<tendon, ph::tendon_two_link_parameters<double>>("tendon_two_link");
-  all.add_mechanism<five_bar>("five_bar");
-  all.add_laws(law);
-  all.compile_for<tendon>(law);
-  return all;
-}
-const rt::catalogue all = small_catalogue();
-
-std::unique_ptr<rt::any_mechanism> made(const char* name) {
-  const rt::mechanism_entry& entry = *rt::find(all.mechanisms(), name);
-  return entry.make(entry.defaults);
+template <class L>
+rt::controller_parts parts_of(rt::scene_variant scene,
+                              const rt::brake_numbers& brakes = rt::brake_numbers(2)) {
+  return {brakes, std::move(scene), rt::any_parameters(rt::law_parameters<L>())};
 }
 
-std::unique_ptr<rt::any_controller> controller_in(rt::scene_variant scene,
-                                                  const rt::brake_numbers& brakes = rt::brake_numbers(2)) {
-  return all.make_controller(*made("tendon_two_link"), all.laws()[0],
-                             {brakes, std::move(scene), all.laws()[0].defaults});
+std::unique_ptr<rt::any_controller> controller_in(const rt::any_scene<2>& scene) {
+  using law = ph::direct_control;
+  return std::make_unique<rt::controller_of<held_tendon, law>>(held_tendon(tendon()), scene,
+                                                               parts_of<law>(scene));
 }
 
 TEST(any_controller, has_the_cycles_of_the_controller_itself) {
-  expect_same_cycles<ph::direct_control>(all, *made("tendon_two_link"), "direct_control", tendon(), 1000);
-}
-
-TEST(any_controller, in_a_world_that_is_held_too) {
   const tendon arm;
   const auto motion = random_motion(arm, 200);
   ph::world_walls<2> walls;
   const ph::point<2> x = arm.position(motion[0].q);
   walls.add(ph::wall(ph::half_space<2>(x, {0, 1}), 1e3));
   walls.add(ph::wall(ph::ball<2>(x, 0.1), 1e3));
-  const ph::world<2> world(walls);
-  const ph::held_scene<ph::world<2>> held(world, 0.003);
-  const auto compare = [&](const auto& scene) {
-    ph::controller direct(arm, ph::switchable_brakes<tendon>(), scene, ph::direct_control());
-    const auto any = controller_in(rt::any_scene<2>(scene));
-    int two = 0;
-    for (const auto& state : motion) {
-      const rt::cycle_record expected(direct(state)), found = (*any)(view_of(state));
-      ASSERT_TRUE(same(found, expected));
-      ASSERT_EQ(found.contact_count, expected.contact_count);
-      for (int i = 0; i < found.contact_count; ++i)
-        ASSERT_TRUE(ph::nth(found.contacts, i) == ph::nth(expected.contacts, i));
-      two += found.contact_count == 2;
-    }
-    EXPECT_GT(two, 10);
-  };
-  compare(held);
+  const ph::held_scene<ph::world<2>> scene(ph::world<2>(walls), 0.003);
+  ph::controller direct(arm, ph::switchable_brakes<tendon>(), scene, ph::direct_control());
+  const auto any = controller_in(rt::any_scene<2>(scene));
+  int two = 0;
+  for (const auto& state : motion) {
+    const rt::cycle_record expected(direct(state)), found = (*any)(view_of(state));
+    ASSERT_TRUE(same(found, expected));
+    ASSERT_EQ(found.contact_count, expected.contact_count);
+    for (int i = 0; i < found.contact_count; ++i)
+      ASSERT_TRUE(ph::nth(found.contacts, i) == ph::nth(expected.contacts, i));
+    two += found.contact_count == 2;
+  }
+  EXPECT_GT(two, 10);
 }
 
 TEST(any_controller, releases_the_brakes_where_numbers_are_missing) {
@@ -85,11 +66,15 @@ TEST(any_controller, releases_the_brakes_where_numbers_are_missing) {
 }
 
 TEST(any_controller, is_for_brakes_and_a_scene_of_its_mechanism) {
+  using law = ph::saturated_direct_control;
+  const auto error_of = [](const rt::controller_parts& parts) {
+    return thrown_by([&] { rt::make_controller<law>(held_tendon(tendon()), parts); });
+  };
   const auto scene = scene_through(tendon(), {0.3, 0.3});
-  EXPECT_EQ(thrown_by([&] { controller_in(rt::any_scene<2>(scene), rt::brake_numbers(3)); }),
+  EXPECT_EQ(error_of(parts_of<law>(rt::any_scene<2>(scene), rt::brake_numbers(3))),
             "passive_haptics: number of brakes = 3, expected 2");
   const rt::any_scene<3> space(ph::scene(ph::wall(ph::half_space<3>({0, 0, 0}, {0, 0, 1}))));
-  EXPECT_EQ(thrown_by([&] { controller_in(space); }),
+  EXPECT_EQ(error_of(parts_of<law>(space)),
             "passive_haptics: scene, expected one of dimension 2, the task dimension of the mechanism");
 }
 
@@ -108,11 +93,6 @@ TEST(any_controller, takes_other_brakes_and_copies_with_a_memory_of_its_own) {
     differ += a.capacity[0] > 0;
   }
   EXPECT_GT(differ, 10);
-}
-
-TEST(any_controller, is_there_for_kinds_that_are_compiled) {
-  EXPECT_TRUE(all.is_compiled(*made("tendon_two_link"), all.laws()[0]));
-  EXPECT_FALSE(all.is_compiled(*made("five_bar"), all.laws()[0]));
 }
 
 }  // namespace

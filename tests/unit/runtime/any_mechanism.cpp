@@ -2,6 +2,7 @@
 // A mechanism that is known at run time only, and its plant.
 #include "pairs.hpp"
 
+#include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
@@ -79,6 +80,15 @@ TEST(any_plant, moves_as_the_simulated_device_itself) {
   EXPECT_GT(device.qd().norm(), 0.1);
   any->set_motion(numbers(q), numbers(capacity));
   EXPECT_EQ(any->qd(), rt::joint_numbers(capacity));
+}
+
+TEST(any_controller, is_there_for_kinds_that_are_compiled) {
+  rt::catalogue all;
+  constexpr rt::named_law<ph::saturated_direct_control> law{"saturated_direct_control"};
+  all.add_laws(law);
+  all.compile_for<tendon>(law);
+  EXPECT_TRUE(all.is_compiled(rt::mechanism_model<tendon>(tendon()), all.laws()[0]));
+  EXPECT_FALSE(all.is_compiled(rt::mechanism_model<ph::delta<double>>(ph::delta<double>()), all.laws()[0]));
 }
 
 TEST(any_plant, is_there_where_it_is_compiled) {

@@ -95,10 +95,10 @@ constexpr mistake mistakes[] = {
     {chain, "[[mechanism.joints]]\npoint = [0, 0]\n[[mechanism.joints]]\npoint = [0.1, 0]",
      ":4: mechanism.joints = [ a table, a table ], expected 3 tables, [[mechanism.joints]] each"},
     {arm, "kind = \"prismtic\"",
-     ":10: mechanism.joints[3].kind = 'prismtic', expected one of \"revolute\", \"prismatic\"; did you mean "
+     ":10: mechanism.joints[2].kind = 'prismtic', expected one of \"revolute\", \"prismatic\"; did you mean "
      "\"prismatic\"?"},
     {arm, "points = [0.2, 0]",
-     ":10: unknown key 'mechanism.joints[3].points', expected one of axis, kind, point; did you mean "
+     ":10: unknown key 'mechanism.joints[2].points', expected one of axis, kind, point; did you mean "
      "\"point\"?"},
     {arm, "kind = \"prismatic\"", ":8: [mechanism] joints[2].|axis| = 0, expected a direction"},
     {usual,
@@ -122,10 +122,10 @@ constexpr mistake mistakes[] = {
      ":1: brakes.model = [ a table ], expected 2 tables [[brakes.model]], one for each brake of a "
      "tendon_two_link"},
     {usual, "[[brakes.model]]\ntype = \"magnetoreological\"",
-     ":2: brakes.model[1].type = 'magnetoreological', expected one of \"coulomb\", ...; did you mean "
+     ":2: brakes.model[0].type = 'magnetoreological', expected one of \"coulomb\", ...; did you mean "
      "\"magnetorheological\"?"},
     {usual, "[[brakes.model]]\ntorque_limits = 0.3\n[[brakes.model]]",
-     ":2: unknown key 'brakes.model[1].torque_limits', expected one of drag, fall_ratio, gain, strength, "
+     ":2: unknown key 'brakes.model[0].torque_limits', expected one of drag, fall_ratio, gain, strength, "
      "time_constant, torque_limit, type; did you mean \"torque_limit\"?"},
     {arm, "[brakes]\ntorque_lower = 0",
      ":11: [brakes] brakes have a torque_lower or torque_upper, expected none: a controller of a mechanism "
@@ -158,64 +158,80 @@ constexpr mistake mistakes[] = {
     {usual, "[[wall]]\nnormal = [0, 1]", ":1: wall = [ a table ], expected [[walls]]: the key was renamed"},
     {usual, "[walls]\nnormal = [0, 1]", ":1: walls = a table, expected tables, [[walls]] each"},
     {usual, "[[walls]]\ntype = \"plane\"",
-     ":2: walls[1].type = 'plane', expected \"half_space\": the shape was renamed"},
+     ":2: walls[0].type = 'plane', expected \"half_space\": the shape was renamed"},
     {usual, "[[walls]]\npoint = [0, 0.2]",
-     ":2: walls[1].point = [ 0, 0.2 ], expected surface_point: the key was renamed"},
+     ":2: walls[0].point = [ 0, 0.2 ], expected surface_point: the key was renamed"},
     {usual, "[[walls]]\ntype = \"ball\"\nradius = 0.03\nfilling = \"hollow\"",
-     ":4: walls[1].filling = 'hollow', expected inside: the key was renamed"},
+     ":4: walls[0].filling = 'hollow', expected inside: the key was renamed"},
     {usual, "[[walls]]\n[[walls]]\nsurface_point = [0, 0.2]\nnormal = [0, 0]",
-     ":4: [walls[2]] |normal| of a half_space = 0, expected a direction"},
+     ":4: [walls[1]] |normal| of a half_space = 0, expected a direction"},
     {in_space, "[[walls]]\nsurface_point = [0, 0]\nnormal = [0, 0, 1]",
-     ":4: walls[1].surface_point = [ 0, 0 ], expected 3 numbers: a finite number [m]"},
+     ":4: walls[0].surface_point = [ 0, 0 ], expected 3 numbers: a finite number [m]"},
     {usual, "[[walls]]\ntype = \"mesh_surface\"",
-     ":2: walls[1].type = 'mesh_surface', expected one of \"half_space\", ...; the mechanism moves in the "
+     ":2: walls[0].type = 'mesh_surface', expected one of \"half_space\", ...; the mechanism moves in the "
      "plane"},
     {in_space, "[[walls]]\ntype = \"mesh_surface\"\nfile = \"nothing.stl\"",
-     ":5: [walls[1]] mesh file nothing.stl: no such file"},
+     ":5: [walls[0]] mesh file nothing.stl: no such file"},
     {in_space, "[[walls]]\ntype = \"mesh_surface\"\nfile = \"part.step\"",
-     ":5: [walls[1]] file = \"part.step\", expected a mesh, a .stl, .ply or .obj"},
+     ":5: [walls[0]] file = \"part.step\", expected a mesh, a .stl, .ply or .obj"},
     {usual, "[[walls]]\nstiffness = -1",
-     ":2: [walls[1]] stiffness of a wall [N/m] = -1, expected a finite number >= 0"},
+     ":2: [walls[0]] stiffness of a wall [N/m] = -1, expected a finite number >= 0"},
     {usual, "[[walls]]\nstiffness = 1e300",
-     ":2: [walls[1]] stiffness of a wall [N/m] = 1e300, expected at most 1e15; if it is meant, allow_large = "
+     ":2: [walls[0]] stiffness of a wall [N/m] = 1e300, expected at most 1e15; if it is meant, allow_large = "
      "[\"stiffness\"]"},
     {usual, "[[walls]]\ntype = \"ball\"",
-     ":1: [walls[1]] radius of a ball [m] = 0, expected a finite number > 0"},
+     ":1: [walls[0]] radius of a ball [m] = 0, expected a finite number > 0"},
     {usual, "[[walls]]\ntype = \"convex_polygon\"\ncorners = [[0, 0], [1, 0]]",
-     ":3: [walls[1]] number of corners of a convex_polygon = 2, expected 3 to 8"},
+     ":3: [walls[0]] number of corners of a convex_polygon = 2, expected 3 to 8"},
     {usual, "[[walls]]\ntype = \"convex_polygon\"\ncorners = [[0, 0], [1, 0], [0, 1, 2]]",
-     ":3: walls[1].corners = [ [ 0, 0 ], [ 1, 0 ], [ 0, 1, 2 ] ], expected a list of points of 2 numbers "
+     ":3: walls[0].corners = [ [ 0, 0 ], [ 1, 0 ], [ 0, 1, 2 ] ], expected a list of points of 2 numbers "
      "each: a finite number [m]"},
     {usual, "[[walls]]\ntype = \"box\"\nhalf_extents = [0.1, 0.1]\naxes = [1, 0, 0, 1]",
-     ":4: walls[1].axes = [ 1, 0, 0, 1 ], expected 2 rows of 2 numbers: a finite number [1]"},
+     ":4: walls[0].axes = [ 1, 0, 0, 1 ], expected 2 rows of 2 numbers: a finite number [1]"},
     {usual, "[[walls]]\ntype = \"box\"\nhalf_extents = [0.1, 0.1]\naxes = [[1, 0], [1, 1]]",
-     ":4: [walls[1]] |axes^T axes - I| of a box = 1, expected orthonormal columns"},
+     ":4: [walls[0]] |axes^T axes - I| of a box = 1, expected orthonormal columns"},
     {usual, "[[walls]]\ntype = \"offset\"\ngrowth = 0.01\n[walls.of]\ntype = \"bal\"\nradius = 0.1",
-     ":5: walls[1].of.type = 'bal', expected one of \"half_space\", ...; the mechanism moves in the plane; "
+     ":5: walls[0].of.type = 'bal', expected one of \"half_space\", ...; the mechanism moves in the plane; "
      "did you mean \"ball\"?"},
     {usual, "[[walls]]\ntype = \"offset\"\n[walls.of]\ntype = \"ball\"\nradius = 0.1\nstiffness = 5",
-     ":6: unknown key 'walls[1].of.stiffness', expected one of centre, inside, radius, type"},
+     ":6: unknown key 'walls[0].of.stiffness', expected one of centre, inside, radius, type"},
     {in_space, "[[walls]]\ntype = \"complement\"\n[walls.of]\ntype = \"mesh_surface\"\nfile = \"part.stl\"",
-     ":5: [walls[1]] of = \"mesh_surface\", expected a shape with an inside"},
+     ":5: [walls[0]] of = \"mesh_surface\", expected a shape with an inside"},
+    {usual, "[[walls]]\n[walls.motion]\nfrequency = -1",
+     ":3: [walls[0].motion] frequency of a wall's motion [Hz] = -1, expected a finite number >= 0"},
+    {usual, "[[walls]]\n[walls.motion]\namplitude = [0, 0.01]",
+     ":2: [walls[0].motion] frequency of a wall's motion [Hz] = 0, expected > 0 with an amplitude"},
+    {usual, "[[walls]]\n[walls.motion]\nbelt_velocity = 0.1",
+     ":3: walls[0].motion.belt_velocity = 0.1, expected 2 numbers: a finite number [m/s]"},
+    {usual, "[[walls]]\n[walls.motoin]\nfrequency = 1",
+     ":2: unknown key 'walls[0].motoin', expected one of motion, normal, stiffness, surface_point, type; did "
+     "you mean \"motion\"?"},
+    {usual, "[[walls]]\ntype = \"convex_polytope\"\n[[walls.faces]]\nnormal = [0, 1]",
+     ":3: [walls[0]] number of faces of a convex_polytope = 1, expected 2 to 4"},
+    {usual, "[[walls]]\ntype = \"convex_polytope\"\n[[walls.faces]]\nnormal = [0, 0]",
+     ":4: [walls[0]] |faces[0].normal| of a half_space = 0, expected a direction"},
+    {in_space,
+     "[[walls]]\ntype = \"height_field\"\nfile = \"nothing.txt\"\nspacing_x = 1e-3\nspacing_y = 1e-3",
+     ":5: [walls[0]] file nothing.txt: no such file"},
     {usual, "[scene]\nperiod = -0.05",
      ":2: [scene] period of a held_scene [s] = -0.05, expected a finite number >= 0"},
     {usual, "[scene]\nrate = 20", ":2: unknown key 'scene.rate', expected one of period"},
     // effects
     {usual, "[[effects]]\nstrength = 2",
-     ":1: effects[1].type is missing, expected one of \"viscous_field\", ...; the mechanism moves in the "
+     ":1: effects[0].type is missing, expected one of \"viscous_field\", ...; the mechanism moves in the "
      "plane"},
     {usual, "[[effects]]\ntype = \"detent\"",
-     ":2: effects[1].type = 'detent', expected one of \"viscous_field\", ...; the mechanism moves in the "
+     ":2: effects[0].type = 'detent', expected one of \"viscous_field\", ...; the mechanism moves in the "
      "plane; did you mean \"detents\"?"},
     {usual, "[[effects]]\ntype = \"detents\"\nspacing = 0\n[law]\ntype = \"direct_control\"",
-     ":3: [effects[1]] spacing of detents [m] = 0, expected a finite number > 0"},
+     ":3: [effects[0]] spacing of detents [m] = 0, expected a finite number > 0"},
     {usual,
      "[[effects]]\ntype = \"detents\"\nspacing = 0.01\nstrength = 1\n[law]\ntype = "
      "\"velocity_direct_control\"",
      ":1: scene with effects, expected one without: they need direct_control, and "
      "a mechanism with as many joints and brakes as task dimensions"},
     {usual, "[[effects]]\ntype = \"viscous_field\"\nviscosity = 5",
-     ":3: effects[1].viscosity = 5, expected 2 rows of 2 numbers: a finite number [N s/m]"},
+     ":3: effects[0].viscosity = 5, expected 2 rows of 2 numbers: a finite number [N s/m]"},
     // the whole
     {usual, "allow_large = [\"length_1\"]\n[mechanism]\nlength_1 = 0.15",
      ":1: allow_large = [\"length_1\"], expected keys of values that no device has; remove it"},
@@ -318,6 +334,22 @@ TEST(device_file, makes_shapes_of_shapes_and_of_lists) {
   read("[[walls]]\ntype = \"box\"\nhalf_extents = [0.1, 0.1]\naxes = [[0, -1], [1, 0]]");
 }
 
+TEST(device_file, moves_walls_by_the_time_of_a_cycle) {
+  const auto& all = example::catalogue();
+  const auto d =
+      read("[[walls]]\n[walls.motion]\namplitude = [0, -0.02]\nfrequency = 0.25\n[scene]\nperiod = 0.5");
+  const auto mechanism = d.make_mechanism(all);
+  const auto q = mechanism->inverse(std::array{0.08, 0.21});  // 15 mm off the wall at rest
+  const auto control = d.make_controller(all, *mechanism);
+  const auto wall_at = [&](double time) {
+    return (*control)({time, q, std::array{0.1, 0.2}, std::array{0.0, 0.0}}).wall_number;
+  };
+  EXPECT_EQ(wall_at(0), -1);
+  EXPECT_EQ(wall_at(0.75), 0);
+  EXPECT_EQ(wall_at(2), -1);
+  EXPECT_EQ(wall_at(5), 0);
+}
+
 // With all keys, so that equal texts are equal devices.
 TEST(device_file, is_written_as_it_was_read) {
   const std::string files[] = {
@@ -332,6 +364,9 @@ TEST(device_file, is_written_as_it_was_read) {
       "[walls.of.of]\ntype = \"ball\"\nradius = 0.1\n[[walls]]\ntype = \"convex_polygon\"\ncorners = [[0, "
       "0], [1, "
       "0], [1, 1]]\n[[walls]]\ntype = \"box\"\nhalf_extents = [0.1, 0.2]\naxes = [[0, -1], [1, 0]]",
+      "[[walls]]\ntype = \"convex_polytope\"\n[[walls.faces]]\nsurface_point = [0, 0.2]\nnormal = [1, -1]\n"
+      "[[walls.faces]]\nsurface_point = [0, 0.2]\nnormal = [-1, -1]",
+      "[[walls]]\n[walls.motion]\namplitude = [0, 0.01]\nfrequency = 0.5\nbelt_velocity = [0.1, 0]",
       "[law]\ntype = \"direct_control\"\n[[effects]]\ntype = \"viscous_field\"\nviscosity = [[5, 0], [1, "
       "6]]\n[scene]\nperiod = 0.1",
       std::string(chain) +

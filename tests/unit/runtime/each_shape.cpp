@@ -4,9 +4,11 @@
 
 #include <catalogue/catalogue.hpp>
 
+#include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/scene/files/obj.hpp>
+#include <passive_haptics/scene/mesh/height_field.hpp>
 #include <passive_haptics/scene/mesh/mesh_solid.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
@@ -14,10 +16,12 @@
 #include <passive_haptics/scene/shapes/capsule.hpp>
 #include <passive_haptics/scene/shapes/complement.hpp>
 #include <passive_haptics/scene/shapes/convex_polygon.hpp>
+#include <passive_haptics/scene/shapes/convex_polytope.hpp>
 #include <passive_haptics/scene/shapes/offset.hpp>
 #include <passive_haptics/scene/world/world.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <fstream>
 #include <set>
@@ -120,6 +124,32 @@ rt::any_parameters triangle(const ph::point<2> (&corners)[3]) {
   return p;
 }
 
+template <int D, std::size_t K>
+rt::any_parameters faces_of(const std::array<ph::half_space_parameters<D>, K>& faces) {
+  rt::any_parameters p = rt::find(example::catalogue().shapes<D>(), "convex_polytope")->defaults;
+  rt::field_list all = p.fields();
+  const rt::field& list = field_of(all, "faces");
+  auto tables = list.resize_tables(list.at, K);
+  for (std::size_t k = 0; k < K; ++k) {
+    std::copy_n(faces[k].surface_point.data(), D, field_of(tables[k], "surface_point").numbers());
+    std::copy_n(faces[k].normal.data(), D, field_of(tables[k], "normal").numbers());
+  }
+  return p;
+}
+
+// A corner upward, around the start.
+template <int D, class Device>
+void expect_polytope(Device& in) {
+  constexpr int K = 2 * (D - 1);
+  ph::convex_polytope_parameters<D, K> p;
+  for (int k = 0; k < K; ++k) {
+    ph::half_space_parameters<D>& face = p.faces[static_cast<std::size_t>(k)];
+    face = {in.start() + 0.05 * ph::point<D>::UnitY(), 2 * ph::point<D>::UnitY()};
+    face.normal[k < 2 ? 0 : 2] = k % 2 == 0 ? 1 : -1;
+  }
+  in.expect_same_cycles("convex_polytope", faces_of(p.faces), ph::convex_polytope<D, K>(p));
+}
+
 // A pyramid of this size [m] in a file, with its base up.
 struct pyramid_file {
   pyramid_file() : path(::testing::TempDir() + "pyramid.obj") {
@@ -149,6 +179,7 @@ TEST(catalogue, each_shape_in_the_plane_has_its_own_cycles) {
   const ph::point<2> x = arm.start(), a(0.1, 0), b(0, 0.1);
   const ph::point<2> corners[] = {x - a - b, x + a, x + b};
   arm.expect_same_cycles("convex_polygon", triangle(corners), ph::convex_polygon(corners));
+  expect_polytope<2>(arm);
   arm.expect_all_seen();
 }
 
@@ -159,6 +190,24 @@ TEST(catalogue, each_shape_in_space_has_its_own_cycles) {
   const ph::point<3> x = delta.start();
   delta.expect_same_cycles("mesh_solid", file.at("mesh_solid", x), ph::mesh_solid<3>(file.mesh_at(x)));
   delta.expect_same_cycles("mesh_surface", file.at("mesh_surface", x), ph::mesh_surface<3>(file.mesh_at(x)));
+  expect_polytope<3>(delta);
+
+  const ph::height_field_parameters field{.columns = 3,
+                                          .rows = 2,
+                                          .spacing_x = 0.2,
+                                          .spacing_y = 0.5,
+                                          .heights = {0.01, 0, -0.01, 0.02, 0.003, 0},
+                                          .origin = x - ph::point<3>(0.2, 0.25, 0)};
+  const std::string path = ::testing::TempDir() + "heights.csv";
+  std::ofstream(path) << "10, 0, -10\n\n2e1 3\t0\n";
+  rt::any_parameters p = rt::find(example::catalogue().shapes<3>(), "height_field")->defaults;
+  rt::field_list all = p.fields();
+  field_of(all, "file").text() = path;
+  *field_of(all, "spacing_x").numbers() = field.spacing_x;
+  *field_of(all, "spacing_y").numbers() = field.spacing_y;
+  std::copy_n(field.origin.data(), 3, field_of(all, "origin").numbers());
+  delta.expect_same_cycles("height_field", p, ph::mesh_surface<3>(ph::mesh<3>(ph::height_field(field))));
+  std::remove(path.c_str());
   delta.expect_all_seen();
 }
 

@@ -22,6 +22,8 @@ struct encoder_limits {
   /// [counts]; 0: never checked. A turn of 8192 counts by default; more where friction alone can hold an
   /// axis.
   double frozen_travel = 8192;
+  /// How many encoders there are, the first of all channels; the others never move.
+  int encoders = std::numeric_limits<int>::max();
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -93,7 +95,8 @@ class encoder_check {
       position_[i] += moved[i];
       if (moved[i] != 0) others_travel_[i] = 0;
       else if (free) others_travel_[i] += travel;
-      if (limits_.frozen_travel > 0 && others_travel_[i] > limits_.frozen_travel)
+      if (limits_.frozen_travel > 0 && static_cast<int>(i) < limits_.encoders &&
+          others_travel_[i] > limits_.frozen_travel)
         frozen_ = {fault::encoder_frozen, fault_source::encoders, static_cast<int>(i)};
     }
     return frozen_;

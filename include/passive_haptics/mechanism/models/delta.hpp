@@ -37,7 +37,8 @@ enum class delta_elbow {
 template <class T>
 class delta : public leg_chain<delta<T>, T, 3> {
  public:
-  static constexpr int brake_count = 3;  ///< m
+  static constexpr int brake_count = 3;          ///< m
+  static constexpr bool handle_rotates = false;  ///< The platform only translates.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit delta(const delta_parameters<T>& p = {})

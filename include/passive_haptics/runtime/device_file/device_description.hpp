@@ -3,8 +3,8 @@
 #pragma once
 
 #include <passive_haptics/runtime/catalogue.hpp>
+#include <passive_haptics/runtime/wall_motion.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
-#include <passive_haptics/scene/world/world.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -26,7 +26,8 @@ struct named_parameters {
 struct wall_description {
   /// The shape; if it is made of another one, as an offset is, that next.
   std::vector<named_parameters> shapes;
-  double stiffness = 1e7;  ///< [N/m]
+  double stiffness = 1e7;                ///< [N/m]
+  std::optional<any_parameters> motion;  ///< A wall_motion of its dimension; none of a wall that stays.
 };
 
 /// The entry of this name. Throws std::invalid_argument if there is none.
@@ -97,31 +98,12 @@ struct device_description {
   std::unique_ptr<any_mechanism> make_mechanism(const catalogue& all) const {
     return entry_of(all.mechanisms(), mechanism.name).make(mechanism.parameters);
   }
-  /// A world of the walls, with the effects.
-  scene_variant make_scene(const catalogue& all) const {
-    if (entry_of(all.mechanisms(), mechanism.name).sizes.task_dimension == 2) return scene_of<2>(all);
-    return scene_of<3>(all);
-  }
+  /// A world of the walls, with the effects. Defined in definitions.hpp.
+  scene_variant make_scene(const catalogue& all) const;
   /// A controller of this mechanism in this scene.
   std::unique_ptr<any_controller> make_controller(const catalogue& all, const any_mechanism& of) const {
     return all.make_controller(of, entry_of(all.laws(), law.name),
                                {brakes, make_scene(all), law.parameters, options.for_controller()});
-  }
-
- private:
-  template <int D>
-  scene_variant scene_of(const catalogue& all) const {
-    world_walls<D> made;
-    for (const wall_description& w : walls) made.add(make_wall<D>(all, w));
-    world<D> whole(made);
-    any_scene<D> sampled = scene.period == 0
-                               ? any_scene<D>(std::move(whole))
-                               : any_scene<D>(held_scene<world<D>>(std::move(whole), scene.period));
-    if (effects.empty()) return sampled;
-    std::vector<any_effect<D>> beside;
-    for (const named_parameters& e : effects)
-      beside.push_back(entry_of(all.effects<D>(), e.name).make(e.parameters));
-    return any_scene_with_effects<D>(std::move(sampled), std::move(beside));
   }
 };
 

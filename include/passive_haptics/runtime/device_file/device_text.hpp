@@ -129,6 +129,11 @@ inline std::string device_text(device_description device) {
       section += ".of";
       header = "[" + section + "]";
     }
+    if (w.motion) {
+      begin("[walls.motion]", "");
+      see(*w.motion);
+      detail::append_toml(text, "walls.motion", w.motion->fields());
+    }
     see_table(wall(half_space<2>(half_space_parameters<2>{{0, 0}, {0, 1}}), w.stiffness));
   }
   for (named_parameters& effect : device.effects) add("effects", "[[effects]]", effect);
