@@ -52,8 +52,9 @@ auto of_count(std::size_t count, const char* items, Make make) {
   if constexpr (Least < Most)
     if (count > Least && count <= Most) return of_count<Least + 1, Most>(count, items, make);
   if (count != Least)
-    throw std::invalid_argument("number of " + std::string(items) + " = " + std::to_string(count) +
-                                ", expected " + std::to_string(Least) + " to " + std::to_string(Most));
+    throw std::invalid_argument("passive_haptics: number of " + std::string(items) + " = " +
+                                std::to_string(count) + ", expected " + std::to_string(Least) + " to " +
+                                std::to_string(Most));
   return make(std::integral_constant<std::size_t, Least>());
 }
 
@@ -114,7 +115,8 @@ ph::mesh<3> mesh_of(const mesh_file_parameters& p) {
                     : ending == ".obj" ? &ph::read_obj
                                        : nullptr;
   if (read == nullptr)
-    throw std::invalid_argument("file = \"" + p.file + "\", expected a mesh, a .stl, .ply or .obj");
+    throw std::invalid_argument("passive_haptics: file = \"" + p.file +
+                                "\", expected a mesh, a .stl, .ply or .obj");
   ph::mesh_file found = read(p.file, p.metres_per_unit);
   for (auto& v : found.mesh.vertices) v += p.position;
   return ph::mesh<3>(std::move(found.mesh));

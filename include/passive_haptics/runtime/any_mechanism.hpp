@@ -26,6 +26,13 @@ class any_mechanism {
     std::array<double, std::size_t(max_joints) * max_joints> to_joints{};    ///< T^+
   };
 
+  /// joint_solution of any mechanism.
+  struct joint_pose {
+    joint_numbers q;              ///< n, as there.
+    status outcome = status::ok;  ///< As there.
+    bool has_inverse = false;     ///< False for a mechanism without a formula.
+  };
+
   virtual ~any_mechanism() = default;
   /// n, d and m.
   virtual device_sizes sizes() const noexcept = 0;
@@ -39,9 +46,14 @@ class any_mechanism {
   virtual void jacobian(std::span<const double> q, std::span<double> J) const noexcept = 0;
   /// w = T qd [rad/s or m/s].
   virtual joint_numbers brake_rates(std::span<const double> q, std::span<const double> qd) const noexcept = 0;
-  /// Joint positions that put the end effector at x, by the mechanism's own formula, in its usual branch;
-  /// none where it has no formula, or x is out of reach.
-  virtual joint_numbers inverse(std::span<const double> x) const = 0;
+  /// Joint positions that put the end effector at x, by the mechanism's own formula; has_inverse is false
+  /// where it has none. `branch` matters for mechanisms that require one.
+  virtual joint_pose solve(std::span<const double> x, elbow branch) const = 0;
+  /// As solve(), in the usual branch; none where there is no formula, or x is out of reach.
+  joint_numbers inverse(std::span<const double> x) const {
+    const joint_pose found = solve(x, elbow::left);
+    return found.has_inverse && found.outcome == status::ok ? found.q : joint_numbers();
+  }
   /// The maps of the encoders.
   virtual encoder_maps encoders() const noexcept = 0;
 
@@ -67,7 +79,8 @@ class mechanism_model final : public any_mechanism {
     else return true;
   }
   task_numbers position(std::span<const double> q) const noexcept override {
-    return task_numbers(own_.position(joint_vector<M>(q.data())));
+    const joint_vector<M> at(q.data());
+    return task_numbers(mechanism_pose<M>(own_, at).position());  // with the bits that a cycle has
   }
   void jacobian(std::span<const double> q, std::span<double> J) const noexcept override {
     const jacobian_matrix<M> found(passive_haptics::jacobian(own_, joint_vector<M>(q.data())));
@@ -77,14 +90,14 @@ class mechanism_model final : public any_mechanism {
     return joint_numbers(
         passive_haptics::brake_rates(own_, joint_vector<M>(q.data()), joint_vector<M>(qd.data())));
   }
-  joint_numbers inverse([[maybe_unused]] std::span<const double> x) const override {
+  joint_pose solve([[maybe_unused]] std::span<const double> x, [[maybe_unused]] elbow branch) const override {
     const auto found = [](const auto& solution) {
-      return solution.outcome == status::ok ? joint_numbers(solution.q) : joint_numbers();
+      return joint_pose{joint_numbers(solution.q), solution.outcome, true};
     };
     if constexpr (requires(const task_vector<M>& p) { own_.inverse(p).q; })
       return found(own_.inverse(task_vector<M>(x.data())));
     else if constexpr (requires(const task_vector<M>& p) { own_.inverse(p, elbow::left).q; })
-      return found(own_.inverse(task_vector<M>(x.data()), elbow::left));
+      return found(own_.inverse(task_vector<M>(x.data()), branch));
     else return {};
   }
   encoder_maps encoders() const noexcept override {

@@ -59,6 +59,8 @@ class plant_of final : public any_plant {
   double min_mass() const override { return device_.min_mass(); }
   const energy_balance& energy() const override { return device_.energy(); }
 
+  simulated_device<M, run_time_brake>& device() { return device_; }  ///< The device itself.
+
  private:
   static brake_models_of<M, run_time_brake> models_from(const std::vector<run_time_brake>& brakes) {
     require_count("brake models", std::ssize(brakes), M::brake_count);

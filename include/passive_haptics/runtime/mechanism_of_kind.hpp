@@ -79,7 +79,7 @@ class mechanism_of_kind {
   /// End effector [m], base frame.
   task position(const pose_values& at) const { return at.x; }
   /// End effector in pose q.
-  task position(const joints& q) const { return pose(q).x; }
+  task position(const joints& q) const { return held_->position(q); }
   /// J [m/rad or 1].
   d_by_n jacobian(const pose_values& at) const { return at.J; }
   /// J in pose q.
@@ -118,6 +118,7 @@ class mechanism_of_kind {
   struct any_model {
     explicit any_model(bool inertia) : has_inertia(inertia) {}
     virtual ~any_model() = default;
+    virtual task position(const joints& q) const = 0;
     virtual void measure(const joints& q, pose_values& at) const = 0;
     virtual d_by_m force_generators(const pose_values& at) const = 0;
     virtual n_by_n mass_matrix(const pose_values& at) const = 0;
@@ -135,6 +136,7 @@ class mechanism_of_kind {
     explicit model(M given) : any_model(Dynamics<M>), mechanism(std::move(given)) {
       if constexpr (Kind.has_constant_transmission) this->T = mechanism.transmission();
     }
+    task position(const joints& q) const override { return mechanism.position(q); }
     void measure(const joints& q, pose_values& at) const override {
       const auto& own = *new (at.own.data()) own_pose(mechanism, q);
       at.x = own.position();

@@ -18,7 +18,7 @@ void expect_as_itself(const M& own) {
   EXPECT_EQ(any.sizes(), (rt::device_sizes{M::dof, M::task_dimension, M::brake_count}));
   EXPECT_EQ(any.has_inertia(), ph::Dynamics<M>);
   for (const auto& s : random_motion(own, 20)) {
-    EXPECT_EQ(any.position(numbers(s.q)), rt::task_numbers(own.position(s.q)));
+    EXPECT_EQ(any.position(numbers(s.q)), rt::task_numbers(ph::mechanism_pose<M>(own, s.q).position()));
     EXPECT_EQ(any.brake_rates(numbers(s.q), numbers(s.qd)),
               rt::joint_numbers(ph::brake_rates(own, s.q, s.qd)));
     ph::jacobian_matrix<M> J;
@@ -48,6 +48,8 @@ TEST(any_mechanism, has_the_inverse_of_its_usual_branch_within_reach) {
   EXPECT_NEAR(arm.position(q)[0], 0.08, 1e-12);
   EXPECT_NEAR(arm.position(q)[1], 0.2, 1e-12);
   EXPECT_EQ(arm.inverse(far).size(), 0u);
+  EXPECT_EQ(arm.solve(far, ph::elbow::left).outcome, ph::status::out_of_reach);
+  EXPECT_GT(arm.solve(near, ph::elbow::right).q[1], 0);
 }
 
 TEST(any_plant, moves_as_the_simulated_device_itself) {

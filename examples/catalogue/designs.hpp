@@ -1,0 +1,13 @@
+/// @file
+/// Functions of design and wall-following experiments for all mechanisms of the catalogue: link
+/// passive_haptics_designs.
+#pragma once
+
+#include <passive_haptics/runtime/any_design.hpp>
+
+namespace example {
+
+/// The list of this program, filled by the first call. Make that call before threads start.
+passive_haptics::runtime::design_list& designs();
+
+}  // namespace example
