@@ -1,16 +1,15 @@
 // A hand that pushes against an effect, alone or along a wall, and then wants back.
 #pragma once
 
+#include "any_effects.hpp"
 #include "scene_run.hpp"
-
-#include <passive_haptics_python/any_effects.hpp>
 
 namespace experiments {
 
 // An effect or a wall effect by a type that is the same for all.
 template <class E>
-struct one_effect final : passive_haptics_python::any_effect<E::dimension> {
-  using base = passive_haptics_python::any_effect<E::dimension>;
+struct one_effect final : any_effect<E::dimension> {
+  using base = any_effect<E::dimension>;
   using typename base::contacts;
   using typename base::vector;
   explicit one_effect(E e) : effect(std::move(e)) {}
@@ -21,8 +20,8 @@ struct one_effect final : passive_haptics_python::any_effect<E::dimension> {
   E effect;
 };
 template <int N>
-struct one_joint_effect final : passive_haptics_python::any_joint_effect<N> {
-  using typename passive_haptics_python::any_joint_effect<N>::vector;
+struct one_joint_effect final : any_joint_effect<N> {
+  using typename any_joint_effect<N>::vector;
   explicit one_joint_effect(ph::end_stops<double, N> e) : effect(std::move(e)) {}
   vector torque(const vector& q, const vector& qd, const vector& hand) const override {
     return effect.torque(q, qd, hand);
@@ -32,8 +31,8 @@ struct one_joint_effect final : passive_haptics_python::any_joint_effect<N> {
 
 // With the effects' part in its result, which a sensorless_controller probes.
 template <int D, int N>
-struct scene_of_effects : passive_haptics_python::scene_with_effects<D, N> {
-  using base = passive_haptics_python::scene_with_effects<D, N>;
+struct scene_of_effects : scene_with_effects<D, N> {
+  using base = scene_with_effects<D, N>;
   using base::base;
   using contacts_type = std::remove_cvref_t<decltype(std::declval<base&>().touched_at(
       std::declval<const ph::point<D>&>(), 0.0))>;

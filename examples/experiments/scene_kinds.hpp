@@ -1,14 +1,13 @@
 // Specimens in scenes of every kind, as one type.
 #pragma once
 
+#include "any_scene.hpp"
 #include "specimens.hpp"
 
+#include <passive_haptics/runtime/any_shape.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/shapes/moving.hpp>
 #include <passive_haptics/scene/world/world.hpp>
-
-#include <passive_haptics_python/any_scene.hpp>
-#include <passive_haptics_python/any_shape.hpp>
 
 #include <functional>
 #include <memory>
@@ -17,8 +16,7 @@
 
 namespace experiments {
 
-using passive_haptics_python::any_scene;
-using passive_haptics_python::any_shape;
+using ph::runtime::any_shape;
 
 // A specimen at a place, by types that are the same for all.
 template <int D>

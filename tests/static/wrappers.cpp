@@ -1,8 +1,5 @@
 // A type that wraps another one keeps its optional members. A member that a concept gains is added to the
 // complete types here (describe() counts those of a mechanism), so that no wrapper forgets it.
-#include "../../examples/python/include/passive_haptics_python/any_mechanism.hpp"
-#include "../../examples/python/include/passive_haptics_python/any_shape.hpp"
-
 #include <passive_haptics/mechanism/models/closed_chain.hpp>
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/brakes/any_brake.hpp>
@@ -10,6 +7,8 @@
 #include <passive_haptics/plant/brakes/coulomb_brake.hpp>
 #include <passive_haptics/plant/brakes/delayed_brake.hpp>
 #include <passive_haptics/plant/brakes/presliding_brake.hpp>
+#include <passive_haptics/runtime/any_shape.hpp>
+#include <passive_haptics/runtime/mechanism_of_kind.hpp>
 
 #include <algorithm>
 
@@ -60,10 +59,8 @@ static_assert(ph::detail::differentiates_transmission<ph::braked_joints<ph::five
               ph::detail::differentiates_transmission<ph::five_bar<double, 4>>);
 static_assert(!ph::detail::differentiates_transmission<ph::braked_joints<three_joints, 0>>);
 
-// For mechanisms without a transmission: it rejects the others
-using any_mechanism = passive_haptics_python::any_mechanism<2, 2, true>;
-static_assert(ph::Dynamics<any_mechanism> && ph::detail::has_inverse_transposed_jacobian<any_mechanism> &&
-              ph::detail::has_pose<any_mechanism>);
+using any_mechanism = ph::runtime::mechanism_of_kind<ph::runtime::mechanism_kind{2, 2, 2, false}>;
+static_assert(ph::Dynamics<any_mechanism> && ph::detail::has_pose<any_mechanism>);
 
 // ---- shapes
 
@@ -90,9 +87,9 @@ static_assert(has_all_of_a_shape<ph::complement<complete_shape>> &&
 static_assert(has_all_of_a_shape<ph::moving<complete_shape>> &&
               !ph::BoundedShape<ph::moving<complete_shape>>);
 
-// For shapes at rest: it rejects the others
-using any_shape = passive_haptics_python::any_shape<2>;
-static_assert(ph::gradient_is_unit<any_shape> && ph::CurvedShape<any_shape> && ph::BoundedShape<any_shape>);
+using any_shape = ph::runtime::any_shape<2>;
+static_assert(ph::gradient_is_unit<any_shape> && ph::CurvedShape<any_shape> && ph::MovingShape<any_shape> &&
+              ph::BoundedShape<any_shape>);
 
 // ---- scenes
 

@@ -2,8 +2,7 @@
 /// Scenes that are written as a text: one wall of any shape, or a force that is given.
 #pragma once
 
-#include <passive_haptics_python/any_shape.hpp>
-
+#include <passive_haptics/runtime/any_shape.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/scene.hpp>
@@ -16,7 +15,7 @@
 namespace explorer {
 
 namespace ph = passive_haptics;
-using passive_haptics_python::any_shape;
+using passive_haptics::runtime::any_shape;
 
 /// The shape of a text (exports.hpp); none for "none". Throws std::invalid_argument.
 template <int D>
