@@ -6,8 +6,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$PWD/build
 jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc 2>/dev/null || echo 2)}
 compile_packages="g++ cmake ninja-build libeigen3-dev libboost-dev"
-python_packages="g++ libeigen3-dev libboost-dev python3-dev python3-pybind11 python3-numpy python3-matplotlib python3-pip
-  python3-venv python3-wheel"
+python_packages="g++ cmake ninja-build libeigen3-dev libboost-dev libtomlplusplus-dev python3-dev python3-pybind11 python3-numpy
+  python3-matplotlib python3-pip python3-venv python3-wheel"
 python=$build/python/venv/bin/python
 
 say() { printf '== %s\n' "$*"; }
@@ -147,6 +147,10 @@ build_explorer() {
 build_python_package() {
   say "building the package for Python"
   [[ -x $python ]] || /usr/bin/python3 -m venv --system-site-packages "$build/python/venv"
-  CMAKE_BUILD_PARALLEL_LEVEL=$jobs "$python" -m pip install --quiet --disable-pip-version-check --no-build-isolation \
-    --no-deps --force-reinstall examples/python
+  # On the catalogue of the examples, if they are built. pip shows nothing of a build, or all of it
+  local shared=
+  [[ -f $build/examples/CMakeCache.txt ]] && shared=$build/examples
+  PASSIVE_HAPTICS_CMAKE_BUILD=$shared CMAKE_BUILD_PARALLEL_LEVEL=$jobs "$python" -m pip install --verbose \
+    --disable-pip-version-check --no-build-isolation --no-deps --force-reinstall examples/python 2>&1 |
+    tee "$build/python/build.log" | sed --unbuffered --quiet 's/^ *\(\[[0-9]*\/[0-9]*\] \)/\1/p; /error: \|ERROR/p'
 }

@@ -102,6 +102,15 @@ s#\bbrake_requirements<([^<>]+)>::met#are_brakes<\1, true>()#g
 s#\bbrake_model_requirements<([^<>]+)>::met#is_brake_model<\1, true>()#g
 s#\bport_requirements<([^<>]+)>::met#is_port<\1, true>()#g
 s#\bsensor_requirements<([^<>]+)>::met#is_force_sensor<\1, true>()#g
+# The package for Python. Parameters within parameters are gone: coulomb_brake(residual={"strength": 1}) is
+# coulomb_brake(strength=1), stribeck_brake(coulomb={"gain": 2}) is stribeck_brake(gain=2), and a chain with
+# inertia is serial_chain(joints=..., handle=..., links=...)
+s#\bpassive_haptics_python/bind_mechanism\.hpp#passive_haptics_python/add_mechanism.hpp#g
+s/\bbind_mechanism</add_mechanism</g
+s/\b(ph|passive_haptics)\.brakes_[0-9]+\b/\1.brakes/g
+s/\b(ph|passive_haptics)\.brake_parameters\b/\1.brakes/g
+s/\bsweep\(([^()]*), seeds=/sweep(\1, items=/g
+s/\b(ph|passive_haptics)\.(planar|spatial)_chain_[0-9](_with_inertia)?\b/\1.serial_chain/g
 # Configurations of brake_driver; point of a plane is surface_point, as its error says
 s/^law( *= *")/law.type\1/
 s/^\[\[wall\]\]/[[walls]]/

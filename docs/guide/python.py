@@ -11,9 +11,29 @@ from passive_haptics.arrays import Array
 
 stl_file = os.path.join(os.path.dirname(__file__), "mesh_file.stl")
 
+# The loop
+arm = ph.tendon_two_link()  # the paper's device: two links of 0.15 m, both brakes at the base
+brakes = arm.brakes()
+plane = ph.half_space([0, 0.225], [0, -1])  # a point of the surface [m], the outward normal
+control = ph.controller(arm, brakes, ph.scene(ph.wall(plane)), arm.recommended_law(brakes))
+
+start = np.array([0.05, 0.224])  # 1 mm before the wall [m]
+hand = ph.following_hand([1, 0], start)  # moves with 5 cm/s and presses with 2 N
+plant = ph.simulated_device(arm, brakes, hand.mass, arm.inverse(start)[0])
+
+for k in range(2001):  # a control loop of 1 kHz
+    state = ph.device_state(1e-3 * k, plant.q, plant.qd, plant.sensed_force)
+    result = control(state)  # what the brakes may hold: result.capacity
+    depth = -plane.distance(plant.position)
+    push = hand.force(state.time, plant.position, plant.velocity, [0, -1], depth)
+    plant.advance(1e-3, result.capacity, push)
+    if k % 400 == 0:
+        x = 1e3 * (plant.position - start)[0]
+        print(f"{state.time:.1f} s: {x:2.0f} mm along the wall, {1e3 * depth:5.2f} mm deep, feels {state.hand_force[1]:.2f} N")
+
 # One cycle
 arm = ph.tendon_two_link(reduction_2=0.4)
-brakes = arm.brakes(torque_limit=[1, 1])
+brakes = arm.brakes(torque_limit=1)
 wall = ph.wall(ph.half_space([0, 0.225], [0, -1]), stiffness=1e5)
 control = ph.controller(arm, brakes, ph.scene(wall), ph.direct_control())
 
@@ -23,10 +43,11 @@ print(result.capacity, result.display.text)
 
 # Many states
 random = np.random.default_rng(1)
-positions = np.asfortranarray(q + random.uniform(-0.1, 0.1, (100_000, 2)))
-rates = np.asfortranarray(random.uniform(-1, 1, (100_000, 2)))
-pushes = np.asfortranarray(random.uniform(-4, 4, (100_000, 2)))
+positions = q + random.uniform(-0.1, 0.1, (100_000, 2))
+rates = random.uniform(-1, 1, (100_000, 2))
+pushes = random.uniform(-4, 4, (100_000, 2))
 results = control.batch(positions, rates, pushes, fields=["display", "alpha"])
+results = control.batch(positions, rates, -pushes, out=results)  # into the arrays of the first call
 share = np.mean(results.display == ph.display_class.approximate)
 print(f"{share:.0%} of the states are displayed approximately")
 
@@ -43,7 +64,8 @@ print(f"a hand gets {1e3 * ph.limits_of(landing).depth:.1f} mm deep")
 
 # Before there is a device
 x, y = np.meshgrid(np.linspace(0.05, 0.15, 21), np.linspace(0.15, 0.25, 21))
-places = np.array([arm.inverse([*point])[0] for point in zip(x.flat, y.flat)])
+places, outcomes = arm.inverse(np.column_stack([x.flat, y.flat]))
+print(f"{np.mean(outcomes == ph.status.ok):.0%} of the places are in reach")
 figures = arm.design_map(places, direction=[1.0, 0.0], normal=[0.0, -1.0], brakes=brakes, push=2)
 print(f"sink slope: {np.median(figures['sink_slope']):.2f} m for each metre along the wall")
 depth = arm.sink_depth(places[:21], [1.0, 0.0], [0.0, -1.0], brakes, push=2)
@@ -91,10 +113,10 @@ path = os.path.join(folder.name, "motion.csv")
 ph.write_log(path, {"t": 1e-3 * np.arange(len(positions)), "q": positions, "qd": rates, "Fh": pushes})
 motion = ph.read_log(path)
 print(motion, motion["Fh_x"].max())
-again = control.batch(motion.rows("q"), motion.rows("qd"), motion.rows("Fh"), motion["t"], out=results)
+again = control.batch(motion.rows("q"), motion.rows("qd"), motion.rows("Fh"), motion["t"])
 
 # Brakes that are off
-control.set_brakes(arm.brakes(torque_limit=[1, 1], torque_lower=[0, -np.inf], torque_upper=[0, np.inf]))
+control.set_brakes(arm.brakes(torque_limit=1, torque_lower=[0, -np.inf], torque_upper=[0, np.inf]))
 
 # A mechanism in Python
 def boom(q: Array) -> Array:
@@ -111,6 +133,12 @@ def boom_jacobian(q: Array) -> Array:
 crane = ph.python_mechanism(dof=2, task_dimension=2, position=boom, jacobian=boom_jacobian)
 relay = ph.controller(crane, crane.brakes(), ph.scene(wall), crane.recommended_law())
 result = relay(ph.device_state(time=0, q=[1.2, 0.25], qd=[0.1, 0.1], hand_force=[0.5, 2]))
+
+# A device file
+device_of_file = ph.load(os.path.join(os.path.dirname(__file__), "../../examples/catalogue/devices/paper.toml"))
+control = device_of_file.controller()
+plant = device_of_file.plant(q=[1.8, -1.2])
+print(device_of_file.mechanism, device_of_file.law)
 
 # Values
 assert pickle.loads(pickle.dumps(control)) == control

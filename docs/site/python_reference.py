@@ -1,4 +1,5 @@
-"""Prints the reference of the package for Python as Markdown, from the stub of its module and its sources.
+"""Prints the reference of the package for Python as Markdown, from its sources and, if it is built, the classes of the
+catalogue and the stub of its module.
 
 python3 docs/site/python_reference.py: needs neither the package nor a compiler. With --index it prints what the
 site's search finds in it, a line for each class, function and method.
@@ -13,11 +14,15 @@ import re
 import sys
 
 PACKAGE = pathlib.Path(__file__).parents[2] / "examples/python/package/passive_haptics"
+BUILT = pathlib.Path(__file__).parents[2] / "build/python/build"
 WIDTH = 100  # of a line of code on the site [letters]
 SPECIAL = re.compile(r"([\\`*_<>#@|&~\[\]])")
 # A module as users import it, and the files whose names it has
 MODULES = {
-    "passive_haptics": ("_native.pyi", "chains.py", "logs.py", "results.py", "__init__.py"),
+    "passive_haptics": (
+        "_native.pyi", "catalogue.py", "devices.py", "catalogue_values.py", "scenes.py", "controllers.py", "simulations.py",
+        "python_mechanism.py", "device_file.py", "chains.py", "logs.py", "results.py", "__init__.py",
+    ),  # fmt: skip
     "passive_haptics.producible_forces": ("producible_forces.py",),
     "passive_haptics.plots": ("plots.py",),
     "passive_haptics.map_plots": ("map_plots.py",),
@@ -32,8 +37,21 @@ def escaped(text: str) -> str:
     return SPECIAL.sub(r"\\\1", " ".join(text.split()))
 
 
+def items(text: str) -> str:
+    """A section as NumPy writes it, names with indented texts, as a list."""
+    entries = re.findall(r"(?m)^(\S.*)((?:\n +.*)*)", text)
+    return "\n".join(f"- `{name}`" + (f"<br>{escaped(about)}" if about else "") for name, about in entries)
+
+
 def paragraphs(text: str) -> str:
-    """A text of the sources as Markdown; what is indented in it is code."""
+    """A text of the sources as Markdown: sections of NumPy as lists, what else is indented as code."""
+    text, *sections = re.split(r"(?m)^(Parameters|Returns|Raises)\n-+\n", text)
+    lists = [f"{title}:\n\n{items(body)}" for title, body in zip(sections[::2], sections[1::2])]
+    return "\n\n".join(filter(None, [words_and_code(text), *lists]))
+
+
+def words_and_code(text: str) -> str:
+    """A text as Markdown; what is indented in it is code."""
     parts = re.split(r"\n((?:(?:    .*)?\n)*    .*)(?=\n|$)", "\n" + text)
     shown = []
     for words, code in zip(parts[::2], [*parts[1::2], None]):
@@ -72,9 +90,22 @@ def block(text: str) -> str:
     return f"```python\n{text}\n```"
 
 
+def tree_of(file: str) -> ast.Module:
+    """A file of the package; what only a build makes is empty without one."""
+    paths = [PACKAGE / file, *sorted(BUILT.glob(f"lib*/passive_haptics/{file}"))]
+    found = [path for path in paths if path.exists()]
+    return ast.parse(found[-1].read_text(encoding="utf-8") if found else "")
+
+
 def is_public(node: ast.stmt) -> bool:
-    """Whether a definition is for users; of the module _class has no meaning outside the stub."""
+    """True if a definition is for users."""
     return isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not node.name.startswith("_")
+
+
+def definitions(file: str) -> list[ast.stmt]:
+    """What a file has for users: of the stub, only the classes."""
+    found = [node for node in tree_of(file).body if is_public(node)]
+    return [node for node in found if isinstance(node, ast.ClassDef) or file != "_native.pyi"]
 
 
 def member(node: ast.FunctionDef, file: str) -> str:
@@ -134,7 +165,7 @@ def index() -> str:
     lines = []
     for module, files in MODULES.items():
         for file in files:
-            for node in filter(is_public, ast.parse((PACKAGE / file).read_text(encoding="utf-8")).body):
+            for node in definitions(file):
                 text = text_of(node, file)
                 methods = node.body if isinstance(node, ast.ClassDef) else []
                 for method in filter(is_public, methods):
@@ -152,11 +183,11 @@ def reference() -> str:
     for module, files in MODULES.items():
         parts.append(f"## {module} {{#guide_python_reference_{module.replace('.', '_')}}}")
         for file in files:
-            tree = ast.parse((PACKAGE / file).read_text(encoding="utf-8"))
+            tree = tree_of(file)
             text = ast.get_docstring(tree)
             if text and (module != "passive_haptics" or file == "__init__.py"):
                 parts.append(paragraphs(text))
-            for node in filter(is_public, tree.body):
+            for node in definitions(file):
                 of = of_class if isinstance(node, ast.ClassDef) else of_function
                 parts.append(f"### {node.name} {{#{anchor(module, node.name)}}}")
                 parts.append(of(node, file))

@@ -1,20 +1,30 @@
-"""Builds the package. All that is made on the way goes to build/python of the repository."""
+"""Builds the package: its module by CMake, and the classes of the catalogue from it. In a clone all that is made on the way
+goes to build/python; PASSIVE_HAPTICS_CMAKE_BUILD names another folder of CMake, such as build/examples, whose catalogue the
+module then shares."""
 
-import glob
 import os
 import re
 import shutil
 import subprocess
+import sys
 
-from pybind11.setup_helpers import ParallelCompile, Pybind11Extension, build_ext
-from setuptools import setup
-from setuptools.command.build_py import build_py
+import pybind11
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
+from wheel.bdist_wheel import bdist_wheel
 
-root = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
-build = os.path.join(root, "build", "python")
+here = os.path.dirname(os.path.abspath(__file__))
+root = os.path.join(here, "..", "..")
+if not os.path.isdir(os.path.join(root, "include", "passive_haptics")):
+    root = os.path.join(here, "library")  # an sdist brings it
+root = os.path.abspath(root)
+build = os.path.join(os.environ.get("PASSIVE_HAPTICS_BUILD", os.path.join(root, "build")), "python")
 headers = os.path.join(root, "include", "passive_haptics")
-
-LOG_SOURCES = ("known_columns", "log_columns", "log_reader", "log_row")  # of examples/log
+NEEDED = {
+    "cmake": "Debian's cmake and ninja-build",
+    "g++": "Debian's g++",
+}
 
 
 def version():
@@ -24,94 +34,69 @@ def version():
     return ".".join(part(name) for name in ("MAJOR", "MINOR", "PATCH"))
 
 
-def files(*patterns):
-    """The files of these patterns."""
-    return sorted(name for pattern in patterns for name in glob.glob(pattern, recursive=True))
-
-
-def eigen():
-    """The folder of Eigen's headers."""
-    try:
-        flags = subprocess.check_output(["pkg-config", "--cflags-only-I", "eigen3"], text=True)
-        return flags.strip().removeprefix("-I")
-    except (OSError, subprocess.CalledProcessError):
-        return "/usr/include/eigen3"
-
-
-class build_with_headers(build_py):
-    """Puts the headers into the package, so that a mechanism of a user's own can be bound with a wheel alone."""
+class build_by_cmake(build_ext):
+    """Builds the module _native, the headers for mechanisms of a user, and the classes of the catalogue."""
 
     def run(self):
-        super().run()
-        folder = os.path.join(self.build_lib, "passive_haptics", "include")
-        shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(headers, os.path.join(folder, "passive_haptics"))
-        shutil.copytree("include/passive_haptics_python", os.path.join(folder, "passive_haptics_python"))
+        for tool, package in NEEDED.items():
+            if shutil.which(tool) is None:
+                sys.exit(f"passive_haptics: {tool} is missing, expected {package}")
+        given = os.environ.get("PASSIVE_HAPTICS_CMAKE_BUILD")
+        folder = given or os.path.join(build, "cmake")
+        source = root if given else os.path.join(root, "examples", "python")
+        is_new = not os.path.exists(os.path.join(folder, "CMakeCache.txt"))
+        generator = ["-G", "Ninja"] if is_new and shutil.which("ninja") else []
+        subprocess.check_call(["cmake", "-S", source, "-B", folder, *generator, f"-DPASSIVE_HAPTICS_PYTHON={sys.executable}"])
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(len(os.sched_getaffinity(0))))
+        subprocess.check_call(["cmake", "--build", folder, "--target", "passive_haptics_python", "--parallel", jobs])
+        package = os.path.join(self.build_lib, "passive_haptics")
+        made = os.path.join(folder, "examples", "python") if given else folder
+        module = next(name for name in os.listdir(made) if name.startswith("_native."))
+        shutil.copy2(os.path.join(made, module), package)
+        classes = os.path.join(package, "classes.py")
+        subprocess.check_call([sys.executable, classes, os.path.join(package, module), package])
+        to = os.path.join(package, "include")
+        shutil.rmtree(to, ignore_errors=True)
+        shutil.copytree(headers, os.path.join(to, "passive_haptics"))
+        shutil.copytree(os.path.join(here, "include", "passive_haptics_python"), os.path.join(to, "passive_haptics_python"))
 
 
-def is_out_of_date(object_file, source):
-    """Whether a file must be compiled: it or a header that it includes is newer than its object file."""
-    try:
-        named = open(os.path.splitext(object_file)[0] + ".d", encoding="utf-8").read().replace("\\\n", " ").split()[1:]
-        made = os.stat(object_file).st_mtime
-        return any(os.stat(name).st_mtime > made for name in [*named, os.path.abspath(__file__)])
-    except OSError:
-        return True
+class sdist_with_library(sdist):
+    """Puts the library and the examples that the module is made of into the source distribution."""
+
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        to = os.path.join(base_dir, "library")
+        for name in ("CMakeLists.txt", "install.cmake", "LICENSE", "README.md"):
+            os.makedirs(to, exist_ok=True)
+            shutil.copy2(os.path.join(root, name), to)
+        for name in ("include", *(os.path.join("examples", part) for part in ("catalogue", "common", "log", "python/source"))):
+            shutil.copytree(os.path.join(root, name), os.path.join(to, name), ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copy2(os.path.join(here, "CMakeLists.txt"), os.path.join(to, "examples", "python"))
+        shutil.copytree(os.path.join(here, "include"), os.path.join(base_dir, "include"), dirs_exist_ok=True)
 
 
-class build_precompiled(build_ext):
-    """Compiles source/precompiled.hpp once, for all sources that include it first. What runs cycles of many states is
-    optimised more than what is called from Python."""
+class wheel_with_license(bdist_wheel):
+    """Puts the licence into the wheel."""
 
-    def build_extensions(self):
-        compiler, extension = self.compiler, self.extensions[0]
-        precompiled = os.path.join(build, "precompiled", "precompiled.hpp.gch")
-        # After the flags of pybind11 are known
-        extension.include_dirs.insert(0, os.path.dirname(precompiled))
-        os.makedirs(os.path.dirname(precompiled), exist_ok=True)
-        if is_out_of_date(precompiled, "source/precompiled.hpp"):
-            folders = [f"-I{folder}" for folder in [*extension.include_dirs, *compiler.include_dirs]]
-            options = [*extension.extra_compile_args, "-O1", "-x", "c++-header", "-o", precompiled]
-            listed = ["-MF", precompiled[:-4] + ".d"]
-            compiler.spawn([*compiler.compiler_so, *folders, "source/precompiled.hpp", *options, *listed])
-        compile_one = compiler._compile
-
-        def compile_by_folder(object_file, source, extension_of_source, flags_of_all, last_flags, others):
-            level = "-O2" if "/batches/" in source else "-O1"
-            compile_one(object_file, source, extension_of_source, flags_of_all, [*last_flags, level], others)
-
-        compiler._compile = compile_by_folder
-        super().build_extensions()
+    def egg2dist(self, egginfo_path, distinfo_path):
+        super().egg2dist(egginfo_path, distinfo_path)
+        shutil.copy2(os.path.join(root, "LICENSE"), distinfo_path)
 
 
-# Bits as in a C++ program that does not contract products and sums. Without FLATTEN, which makes each cycle one
-# function: it would take the compiler half an hour. source/batches/ has it, where it pays.
-flags = ["-g0", "-DNDEBUG", "-ffp-contract=off", "-DPASSIVE_HAPTICS_FLATTEN=", "-Wno-psabi", "-MMD"]
-# Memory for time: the compiler looks for garbage twice, not nine times
-flags += ["--param=ggc-min-heapsize=524288", "--param=ggc-min-expand=100"]
-
-os.chdir(os.path.dirname(os.path.abspath(__file__)))
+os.chdir(here)
 os.makedirs(build, exist_ok=True)
-ParallelCompile(
-    "CMAKE_BUILD_PARALLEL_LEVEL", default=len(os.sched_getaffinity(0)), needs_recompile=is_out_of_date
-).install()
 setup(
     version=version(),
     packages=["passive_haptics"],
     package_dir={"": "package"},
-    package_data={"passive_haptics": ["py.typed", "*.pyi"]},
-    ext_modules=[
-        Pybind11Extension(
-            "passive_haptics._native",
-            [*files("source/**/*.cpp"), *(f"../log/{name}.cpp" for name in LOG_SOURCES)],
-            depends=files("source/**/*.hpp", "include/**/*.hpp", "../log/*.hpp", os.path.join(headers, "**", "*.hpp"), "setup.py"),
-            cxx_std=20,
-            include_dirs=["source", "include", os.path.join(root, "include"), os.path.join(root, "examples"), eigen()],
-            extra_compile_args=flags,
-            extra_link_args=["-s"],  # without the names of functions
-        )
-    ],
-    cmdclass={"build_ext": build_precompiled, "build_py": build_with_headers},
+    package_data={"passive_haptics": ["py.typed"]},
+    ext_modules=[Extension("passive_haptics._native", [])],
+    long_description=open(os.path.join(root, "README.md"), encoding="utf-8").read(),
+    long_description_content_type="text/markdown",
+    # What is built with an older pybind11 crashes beside NumPy 2
+    install_requires=["numpy<2" if pybind11.version_info < (2, 12) else "numpy"],
+    cmdclass={"build_ext": build_by_cmake, "sdist": sdist_with_library, "bdist_wheel": wheel_with_license},
     options={
         "build": {"build_base": os.path.join(build, "build")},
         "egg_info": {"egg_base": build},

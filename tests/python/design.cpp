@@ -5,7 +5,6 @@
 #include <passive_haptics/design/sink_depth.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
@@ -91,8 +90,6 @@ bool reference::run_design(const std::string& device, const std::string& law, co
   if (law != "design") return false;
   const auto with = [&](const auto& mechanism) { return write_all(mechanism, mode, in, to); };
   if (device == "tendon_two_link") return with(ph::tendon_two_link<double>());
-  if (device == "two_link") return with(ph::two_link<double>());
-  if (device == "xy_table") return with(ph::xy_table<double>());
   if (device == "delta") return with(ph::delta<double>());
   if (device == "planar_chain_3_with_inertia")
     return with(ph::serial_chain_with_inertia<double, 3, 2>(geometry<3, 2>(), inertia<3, 2>()));

@@ -24,6 +24,11 @@ def experiment(seed):
     return float(found.alpha.sum()), found.capacity.copy()
 
 
+def shown(item):
+    """An experiment of anything."""
+    return repr(item)
+
+
 def troubled(seed):
     """Some experiments fail in one of the ways in which one can."""
     if seed == BAD:

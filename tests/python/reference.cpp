@@ -14,8 +14,7 @@ int main(int count, char** words) {
   }
   const std::string device = words[1], law = words[2], mode = words[3], in = words[4], to = words[5];
   for (const auto run_any :
-       {reference::run_tendon, reference::run_planar, reference::run_chain, reference::run_long_chain,
-        reference::run_design, reference::run_log, reference::run_scene})
+       {reference::run_device, reference::run_design, reference::run_log, reference::run_scene})
     if (run_any(device, law, mode, in, to)) return 0;
   std::fprintf(stderr, "%s under %s is not compiled in\n", device.c_str(), law.c_str());
   return 2;

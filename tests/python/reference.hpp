@@ -185,19 +185,13 @@ bool run_law(const M& mechanism, const std::string& law, const std::string& mode
 }
 
 // Runs a law of a device of this file; false if the device is another one.
-bool run_planar(const std::string& device, const std::string& law, const std::string& mode,
+bool run_device(const std::string& device, const std::string& law, const std::string& mode,
                 const std::string& in, const std::string& to);
-bool run_chain(const std::string& device, const std::string& law, const std::string& mode,
-               const std::string& in, const std::string& to);
-bool run_long_chain(const std::string& device, const std::string& law, const std::string& mode,
-                    const std::string& in, const std::string& to);
 bool run_design(const std::string& device, const std::string& law, const std::string& mode,
                 const std::string& in, const std::string& to);
 bool run_scene(const std::string& device, const std::string& law, const std::string& mode,
                const std::string& in, const std::string& to);
 bool run_log(const std::string& device, const std::string& law, const std::string& mode,
              const std::string& in, const std::string& to);
-bool run_tendon(const std::string& device, const std::string& law, const std::string& mode,
-                const std::string& in, const std::string& to);
 
 }  // namespace reference

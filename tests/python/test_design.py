@@ -15,7 +15,7 @@ REFERENCE = os.environ.get("PASSIVE_HAPTICS_PYTHON_REFERENCE")
 SEED = 46
 PUSH = 0.4
 FIRST, SAMPLES, START = 70, 20, 100
-NAMES = ["tendon_two_link", "two_link", "xy_table", "delta", "planar_chain_3_with_inertia"]
+NAMES = ["tendon_two_link", "delta", "planar_chain_3_with_inertia"]
 
 needs_reference = pytest.mark.skipif(REFERENCE is None, reason="tests/run python names the program to compare with")
 

@@ -90,6 +90,8 @@ def test_batches(device, law, tmp_path):
     assert again.capacity is by_columns.capacity
     assert again == by_rows
     fewer = control.batch(*columns, case.time, fields=["alpha"])
-    assert fewer.torque is None
-    assert fewer.capacity.tobytes("F") == by_rows.capacity.tobytes("F")
+    with pytest.raises(AttributeError, match="torque of a batch_result was not asked for, expected one of capacity, outcome, alpha"):
+        fewer.torque
+    assert fewer.capacity.tobytes() == by_rows.capacity.tobytes()
+    assert control.batch(*columns, case.time, fields=["signs"], out=fewer).signs.tobytes() == by_rows.signs.tobytes()
     assert fewer.alpha.tobytes() == by_rows.alpha.tobytes()

@@ -204,12 +204,12 @@ def test_chains_with_slides_end_at_their_handle(seed):
         {"kind": "revolute", "point": random.uniform(-1, 1, 2)},
         {"kind": "revolute", "point": random.uniform(-1, 1, 2)},
     ]
-    chain = ph.planar_chain_4(joints=joints, handle=random.uniform(-1, 1, 2))
+    chain = ph.serial_chain(joints=joints, handle=random.uniform(-1, 1, 2))
     q = random.uniform(-2, 2, 4)
     found = geometry_of(chain, q)
     assert np.allclose(found.joints[0], joints[0]["point"])
     # A joint's place is the handle of a chain that ends there
-    shorter = ph.planar_chain_4(joints=joints, handle=joints[3]["point"])
+    shorter = ph.serial_chain(joints=joints, handle=joints[3]["point"])
     assert np.allclose(found.joints[3], shorter.position(q))
     assert np.allclose(np.linalg.norm(found.joints[3] - found.joints[2]),
                        np.linalg.norm(joints[3]["point"] - joints[2]["point"]))  # fmt: skip

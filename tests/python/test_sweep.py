@@ -91,12 +91,23 @@ def test_results_of_one_object_are_as_if_each_had_its_own():
 
 
 def test_seeds_and_sizes_that_are_not_valid():
-    with pytest.raises(TypeError, match="seed = 0.5, expected an integer"):
-        sweep(experiment, [1, 0.5])
+    with pytest.raises(TypeError, match="item = <function .*, expected one that can be pickled"):
+        sweep(experiment, [1, lambda: 2])
     with pytest.raises(ValueError, match="seed 3 is given twice"):
         sweep(experiment, [3, 1, 3])
     with pytest.raises(ValueError, match="experiments_per_task = 0, expected 1 or more"):
         sweep(experiment, [3], experiments_per_task=0)
+
+
+def test_items_that_are_no_seeds(tmp_path):
+    items = [(0.5, "a"), {"length": 0.1}, 0.25, None, 7]
+    for _ in range(2):
+        assert sweep(experiments.shown, items, file=tmp_path / "items") == [repr(item) for item in items]
+    with pytest.raises(ValueError, match="item 0.25 is given twice"):
+        sweep(experiments.shown, [0.25, 0.25])
+    with pytest.raises(sweep_error, match="the first of them with item 'no number': ValueError") as caught:
+        sweep(float, ["0.5", "no number", [1]])
+    assert caught.value.results == {"0.5": 0.5} and list(caught.value.failures) == ["no number", 2]
 
 
 def test_failures_name_their_seeds_and_lose_no_others_results(serial):

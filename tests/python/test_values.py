@@ -22,6 +22,7 @@ SHAPES = [
     ph.capsule([0, 0, 0], [0.1, 0, 0], 0.02),
     ph.convex_polygon([[0, 0], [1, 0], [0, 1]]),
     ph.convex_polygon(np.array([[0, 0], [1, 0], [1, 1], [0.5, 1.5], [0, 1]])),
+    ph.convex_polytope([{"surface_point": [0, 0], "normal": [0, -1]}, {"surface_point": [0, 0], "normal": [1, 0]}]),
     ph.offset(ph.box([0, 0], [0.1, 0.2]), 0.01),
     ph.complement(ph.capsule([0, 0, 0], [0.1, 0, 0], 0.02)),
     ph.mesh_solid(ph.mesh([[0, 0], [0.1, 0], [0, 0.1]], [[0, 1], [1, 2], [2, 0]])),
@@ -30,8 +31,8 @@ SHAPES = [
 
 BRAKES = [
     ph.coulomb_brake(),
-    ph.coulomb_brake(torque_limit=0.5, residual={"strength": 0.01}),
-    ph.stribeck_brake(coulomb={"torque_limit": 0.7}, static_ratio=1.2),
+    ph.coulomb_brake(torque_limit=0.5, strength=0.01),
+    ph.stribeck_brake(torque_limit=0.7, static_ratio=1.2),
     ph.eddy_current_brake(),
     ph.magnetorheological_brake(),
     ph.presliding_brake(presliding=1e-3),
@@ -138,9 +139,11 @@ def test_repr_makes_an_equal_value(value):
 
 
 def test_every_class_is_among_them():
-    bases = {ph.shape, ph.effect, ph.law, ph.mechanism, ph.brake_parameters, ph.brake_model}
-    classes = {thing for thing in vars(_native).values() if inspect.isclass(thing)}
-    assert classes - bases == {type(value) for value in ALL}
+    bases = {ph.shape, ph.effect, ph.law, ph.mechanism, ph.brake_model}
+    bases |= {ph.status, ph.power_class, ph.display_class, ph.run_end}
+    others = {ph.motion_log, ph.device_description, ph.contact_metrics, ph.contact_report, ph.wall_limits}
+    classes = {thing for thing in vars(ph).values() if inspect.isclass(thing) and thing.__name__ in ph.__all__}
+    assert classes - bases - others == {type(value) for value in ALL}
 
 
 def test_parameters_are_those_of_the_tables():
@@ -148,8 +151,9 @@ def test_parameters_are_those_of_the_tables():
     assert arm.parameters["length_2"] == 0.2
     assert arm.parameters["length_1"] == 0.15
     assert arm.parameters["reduction_2"] == 0.4
-    assert repr(arm) == "tendon_two_link(length_2=0.2)"
-    assert "reduction_2 [1]: a finite number > 0; default 0.4" in ph.tendon_two_link.__doc__
+    assert repr(arm).startswith("tendon_two_link(length_1=0.15, length_2=0.2, ")
+    assert "reduction_2 : float [1], default 0.4\n        A finite number > 0." in ph.tendon_two_link.__doc__
+    assert inspect.signature(ph.tendon_two_link).parameters["reduction_2"].default == 0.4
     assert ph.tendon_two_link(**arm.parameters) == arm
     with pytest.raises(TypeError):
         hash(arm)
@@ -212,8 +216,8 @@ def test_several_walls_are_felt_at_once():
     assert np.allclose(result.capacity, [1, 2])
     batch = control.batch(np.array([[-1e-3, -2e-3]]), np.array([[-0.1, -0.1]]), np.array([[-1.0, -1.0]]))
     assert np.allclose(batch.capacity, [[1, 2]])
-    with pytest.raises(ValueError, match="scene has 2 walls, expected one"):
-        ph.controller(table, table.brakes(), corner, ph.saturated_direct_control())
+    strongest = ph.controller(table, table.brakes(torque_limit=50), corner, ph.saturated_direct_control())
+    assert np.allclose(strongest(ph.device_state(0, [-1e-3, -2e-3], [-0.1, -0.1], [-1, -1])).capacity, [0, 2])
 
 
 def test_a_controller_remembers_until_it_is_reset():
@@ -229,7 +233,7 @@ def test_a_controller_remembers_until_it_is_reset():
 def test_planar_arm():
     assert ph.planar_arm([0.1, 0.2, 0.3]).position([0, 0, 0]).tolist() == pytest.approx([0.6, 0])
     assert ph.planar_arm([0.1, 0.1, 0.1, 0.1]).dof == 4
-    with pytest.raises(ValueError, match="expected 3 or 4"):
+    with pytest.raises(ValueError, match="expected 2, 3 or 4"):
         ph.planar_arm([0.1])
 
 
@@ -249,3 +253,37 @@ def test_nearest_pose_leads_to_the_place(name):
     assert ph.nearest_pose(device, beyond * np.nan, q)[1] == ph.status.state_not_finite
     with pytest.raises(ValueError, match="shape of x"):
         ph.nearest_pose(device, [1.0], q)
+
+
+@pytest.mark.parametrize("name", [name for name in DEVICES if "inertia" not in name])
+def test_functions_of_many_poses_are_those_of_each(name):
+    case = Case(name, 100, 9)
+    device, q, qd = case.device, case.q[70:], case.qd[70:]
+    velocity = case.hand_force[70:]
+    found = device.displayable(q, velocity, case.normal, case.brakes())
+    singly = [device.displayable(*row, case.normal, case.brakes()) for row in zip(q, velocity)]
+    for field, values in zip(found._fields, zip(*singly)):
+        assert np.array_equal(getattr(found, field), np.array(values), equal_nan=True)
+    assert device.position(q).tolist() == [device.position(row).tolist() for row in q]
+    assert device.jacobian(q).tolist() == [device.jacobian(row).tolist() for row in q]
+    assert device.brake_rates(q, qd).tolist() == [device.brake_rates(*row).tolist() for row in zip(q, qd)]
+    if "chain" in name:
+        with pytest.raises(TypeError, match="a serial_chain has no inverse, expected nearest_pose"):
+            device.inverse(device.position(q[0]))
+        return
+    x = np.vstack([device.position(q), np.full(device.task_dimension, 9.0)])
+    back, outcomes = device.inverse(x)
+    assert back.tolist() == [device.inverse(row)[0].tolist() for row in x]
+    assert outcomes.tolist() == [device.inverse(row)[1] for row in x]
+    assert (outcomes[-1] == ph.status.out_of_reach) == (name != "xy_table")
+
+
+def test_what_no_device_has_is_a_warning():
+    arm = ph.tendon_two_link()
+    for call, text in (
+        (lambda: ph.tendon_two_link(length_1=150), r"length_1 \[m\] = 150, expected at most"),
+        (lambda: ph.device_state(0, [119.7, -82.5], [0, 0]), "q has 119.7, usually within two turns: degrees"),
+        (lambda: arm.brakes(time_constant=20), r"time_constant\[0\] \[s\] = 20"),
+    ):
+        with pytest.warns(UserWarning, match=text):
+            call()

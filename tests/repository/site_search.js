@@ -11,7 +11,7 @@ const expected = {
   "which law": "guide_which_law.html",
   "equation 12": "equations.html",
   "controller": "classpassive__haptics_1_1controller.html",
-  "python half_space": "guide_python_reference.html",
+  "python following_hand": "guide_python_reference.html",
   "read_log": "guide_python_reference.html",
   "mechanism.design_map": "guide_python_reference.html",
 };

@@ -1,5 +1,5 @@
-// A mechanism of one's own for Python: a link that turns and slides, a brake on each joint.
-#include <passive_haptics_python/bind_mechanism.hpp>
+// A mechanism of your own for Python: a link that turns and slides, a brake on each joint.
+#include <passive_haptics_python/add_mechanism.hpp>
 
 struct polar_arm {
   using scalar = double;
@@ -13,6 +13,5 @@ struct polar_arm {
 };
 
 PYBIND11_MODULE(polar, module) {
-  pybind11::module_::import("passive_haptics");
-  passive_haptics_python::bind_mechanism<polar_arm>(module, "polar_arm", "A link that turns and slides.");
+  passive_haptics_python::add_mechanism<polar_arm>(module, "polar_arm", "A link that turns and slides.");
 }

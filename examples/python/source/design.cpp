@@ -1,107 +1,72 @@
-// What there is to know of a device before it is built (passive_haptics/design).
-#include <precompiled.hpp>
-
+// Functions of a device before it is built, and its simulation, for devices.py and simulations.py of the
+// package.
 #include "devices.hpp"
-#include "module.hpp"
-#include "progress.hpp"
 
-#include <passive_haptics/design/map/task_points.hpp>
+#include <catalogue/catalogue.hpp>
 
-#include <pybind11/eigen.h>
+#include <passive_haptics/design/fme_boundary.hpp>
+#include <passive_haptics/design/wall_limits.hpp>
 
-#include <limits>
+#include <pybind11/stl.h>
+
+#include <bit>
+#include <cstdint>
 
 namespace passive_haptics_python {
 namespace {
 
-// A wall made of brakes, as Python has it.
-struct braked_wall_base {};
-using braked_wall_value = table_value<braked_wall_base, ph::braked_wall>;
+rt::brake_numbers brakes_of(const named& n) { return n.table.as<rt::brake_numbers>(); }
 
-// Brakes that are all on, without limits where none are given, nor motors.
-design_brakes design_brakes_of(const mechanism& of, const py::object& given, const py::object& motors) {
-  const int m = of.device().sizes().brake_count;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  design_brakes all;
-  if (given.is_none()) {
-    all.torque_limit = all.torque_upper = numbers::Constant(m, infinity);
-    all.torque_lower = numbers::Constant(m, -infinity);
-    all.time_constant = numbers::Constant(m, ph::brake_parameters<double, 1>().time_constant[0]);
-  } else {
-    const brake_numbers known = brakes_for(of, given);
-    all.torque_limit = known.torque_limit;
-    all.time_constant = known.time_constant;
-    all.torque_lower = known.torque_lower;
-    all.torque_upper = known.torque_upper;
+// Places on a path: vectors of Python, or a row for each.
+struct places {
+  rows_of q, direction, normal;
+  places(const mechanism& m, py::handle q_, py::handle direction_, py::handle normal_, const char* way)
+      : q(q_, "q", m.sizes().dof),
+        direction(direction_, way, m.sizes().task_dimension),
+        normal(normal_, "normal", m.sizes().task_dimension) {
+    const auto check = [&](const rows_of& rows, const char* name) {
+      if (!rows.is_one() && rows.size() != q.size())
+        refuse_value("number of rows of " + std::string(name) + " = " + std::to_string(rows.size()) +
+                     ", expected " + std::to_string(q.size()) + ", as q has");
+    };
+    check(direction, way);
+    check(normal, "normal");
   }
-  all.motor_limit = motors.is_none() ? numbers(numbers::Zero(m)) : any_numbers(motors, "motor_limit");
-  for (int i = 0; i < all.motor_limit.size(); ++i)
+  rt::path_place operator[](py::ssize_t k) const { return {q[k], direction[k], normal[k]}; }
+};
+
+rt::design_brakes with_motors(const named& brakes, py::handle motor_limit) {
+  rt::design_brakes all{brakes_of(brakes), {}};
+  const auto m = static_cast<int>(all.brakes.torque_limit.size());
+  all.motor_limit = motor_limit.is_none() ? std::vector<double>(static_cast<std::size_t>(m), 0)
+                                          : vector_from(motor_limit, "motor_limit", m);
+  for (std::size_t i = 0; i < all.motor_limit.size(); ++i)
     if (!(all.motor_limit[i] >= 0))
       refuse_value("motor_limit[" + std::to_string(i) + "] [N m] = " +
                    std::string(py::repr(py::float_(all.motor_limit[i]))) + ", expected a number >= 0");
   return all;
 }
 
-double push_of(double push) {
-  if (push == push) return push;
-  refuse_value("push [N] = nan, expected a number");
+// outcome, display, angle, max_force, max_approximated_force and signs of each place.
+py::tuple displayable(const mechanism& m, py::handle q, py::handle velocity, py::handle normal,
+                      const named& brakes) {
+  const places at(m, q, velocity, normal, "velocity");
+  const rt::brake_numbers of = brakes_of(brakes);
+  const int count = m.sizes().brake_count;
+  auto outcome = results_for<int>(at.q, {}), display = results_for<int>(at.q, {});
+  auto angle = results_for(at.q, {}), force = results_for(at.q, {}), approximated = results_for(at.q, {});
+  auto signs = results_for(at.q, {count});
+  for (py::ssize_t k = 0; k < at.q.size(); ++k) {
+    const auto found = m.functions().displayable(at[k], of);
+    outcome.mutable_data()[k] = static_cast<int>(found.outcome);
+    display.mutable_data()[k] = static_cast<int>(found.display);
+    angle.mutable_data()[k] = found.angle;
+    force.mutable_data()[k] = found.max_force;
+    approximated.mutable_data()[k] = found.max_approximated_force;
+    std::copy_n(found.signs.data(), count, signs.mutable_data() + k * count);
+  }
+  return py::make_tuple(outcome, display, angle, force, approximated, signs);
 }
-
-// Rows of places on a path: N x n, and a row of each direction for each place or one for all.
-class rows_of_places {
- public:
-  rows_of_places(const mechanism& of, py::handle q, py::handle direction, py::handle normal)
-      : q_(matrix_from(q, "q", of.device().sizes().dof, -1)),
-        direction_(matrix_from(direction, "direction", of.device().sizes().task_dimension, q_.rows())),
-        normal_(matrix_from(normal, "normal", of.device().sizes().task_dimension, q_.rows())) {}
-  py::ssize_t size() const { return q_.rows(); }
-  path_values operator[](py::ssize_t k) const {
-    return {q_.row(k).transpose(), row(direction_, k), row(normal_, k)};
-  }
-
- private:
-  using rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-  static numbers row(const rows& x, py::ssize_t k) { return x.row(x.rows() == 1 ? 0 : k).transpose(); }
-  // states: how many rows there must be unless it is one vector; -1: any number of rows.
-  static rows matrix_from(py::handle x, const char* name, int width, py::ssize_t states) {
-    const std::string expected = ", expected (N, " + std::to_string(width) + ")";
-    if (states >= 0 && (PyList_Check(x.ptr()) || PyTuple_Check(x.ptr()) ||
-                        (py::isinstance<py::array>(x) && py::reinterpret_borrow<py::array>(x).ndim() == 1))) {
-      const numbers one = any_numbers(x, name);
-      if (one.size() != width)
-        refuse_value("length of " + std::string(name) + " = " + std::to_string(one.size()) + ", expected " +
-                     std::to_string(width));
-      return one.transpose();
-    }
-    if (!py::isinstance<py::array>(x))
-      refuse_type(std::string(name) + " = " + shown(x) +
-                  ", expected a numpy.ndarray of float64, a row for "
-                  "each place");
-    const py::array array = plain_array(x, name);
-    if (array.dtype().kind() != 'f' || array.dtype().itemsize() != py::ssize_t(sizeof(double)))
-      refuse_type(std::string(name) + " has dtype " + dtype_of(array) + ", expected float64: " + name +
-                  ".astype(float)");
-    if (array.ndim() != 2 || array.shape(1) != width)
-      refuse_value("shape of " + std::string(name) + " = " + std::string(py::str(array.attr("shape"))) +
-                   expected + ", a row for each place");
-    if (states >= 0 && array.shape(0) != states)
-      refuse_value("number of rows of " + std::string(name) + " = " + std::to_string(array.shape(0)) +
-                   ", expected " + std::to_string(states) + ", as q has");
-    if (array.shape(0) > py::ssize_t(ph::max_task_points))
-      refuse_value("number of rows of " + std::string(name) + " = " + std::to_string(array.shape(0)) +
-                   ", expected at most " + std::to_string(ph::max_task_points) +
-                   "; pass the places in parts");
-    const py::array_t<double, py::array::forcecast> numbers_in(array);
-    const auto at = numbers_in.unchecked<2>();
-    rows all(array.shape(0), width);
-    for (py::ssize_t k = 0; k < all.rows(); ++k)
-      for (int i = 0; i < width; ++i) all(k, i) = at(k, i);
-    return all;
-  }
-
-  rows q_, direction_, normal_;
-};
 
 // A row of a design map as it stands in the array.
 struct figures_row {
@@ -109,133 +74,236 @@ struct figures_row {
   double cosine, drag, max_force, sink_slope, isotropy;
 };
 
-py::array map_of(const mechanism& of, py::handle q, py::handle direction, py::handle normal,
-                 const py::object& given, double push, const py::object& motors) {
-  constexpr py::ssize_t points_between_signals = 1 << 8;
-  const rows_of_places places(of, q, direction, normal);
-  const design_brakes brakes_there = design_brakes_of(of, given, motors);
-  push_of(push);
-  py::list fields;
-  for (const char* name : {"outcome", "display"}) fields.append(py::make_tuple(name, "i4"));
-  for (const char* name : {"cosine", "drag", "max_force", "sink_slope", "isotropy"})
-    fields.append(py::make_tuple(name, "f8"));
-  py::array rows(py::dtype::from_args(fields), std::vector<py::ssize_t>{places.size()});
+// Fills the rows of a structured array; calls tick(k) now and then.
+void map_of(const mechanism& m, py::handle q, py::handle direction, py::handle normal, const named& brakes,
+            double push, py::handle motor_limit, py::array rows, const py::object& tick) {
+  constexpr py::ssize_t places_between_signals = 1 << 8;
+  const places at(m, q, direction, normal, "direction");
+  const rt::design_brakes of = with_motors(brakes, motor_limit);
   auto* const row = static_cast<figures_row*>(rows.mutable_data());
-  progress shown(places.size(), "places");
-  for (py::ssize_t k = 0; k < places.size(); ++k) {
-    const auto f = of.device().design_figures(places[k], brakes_there, push);
-    row[k] = {std::int32_t(f.outcome),
-              std::int32_t(f.display),
+  for (py::ssize_t k = 0; k < at.q.size(); ++k) {
+    const auto f = m.functions().figures(at[k], of, push);
+    row[k] = {static_cast<std::int32_t>(f.outcome),
+              static_cast<std::int32_t>(f.display),
               f.cosine,
               f.drag,
               f.max_force,
               f.sink_slope,
               f.isotropy};
-    if (k % points_between_signals != 0) continue;
+    if (k % places_between_signals != 0) continue;
     let_others_run();
-    shown.show(k);
+    tick(k);
   }
-  return rows;
 }
 
-double depth_of(const mechanism& of, py::handle q, py::handle direction, py::handle normal,
-                const py::object& given, double push, const py::object& motors) {
-  const rows_of_places places(of, q, direction, normal);
-  std::vector<path_values> path;
-  for (py::ssize_t k = 0; k < places.size(); ++k) path.push_back(places[k]);
-  return of.device().sink_depth(path, design_brakes_of(of, given, motors), push_of(push));
+double depth_of(const mechanism& m, py::handle q, py::handle direction, py::handle normal,
+                const named& brakes, double push, py::handle motor_limit) {
+  const places at(m, q, direction, normal, "direction");
+  std::vector<rt::path_place> path;
+  for (py::ssize_t k = 0; k < at.q.size(); ++k) path.push_back(at[k]);
+  return m.functions().sink_depth(path, with_motors(brakes, motor_limit), push);
 }
 
-void bind_braked_wall(py::module_& module) {
-  const std::string text =
-      "(" + stub_arguments<ph::braked_wall>() +
-      ")\n\nA wall at one place of a device, the hand that comes, and the control, along the "
-      "wall's normal.\n\n" +
-      parameter_lines<ph::braked_wall>();
-  py::class_<braked_wall_value> bound(module, "braked_wall", text.c_str());
-  add_value_protocol(bound, "braked_wall");
-  module.def(
-      "limits_of",
-      [](py::handle wall) {
-        const ph::wall_limits found = ph::limits_of(
-            expect<braked_wall_value>(wall, "wall", "a braked_wall, as braked_wall_at() returns").table);
-        return py::module_::import("passive_haptics.results")
-            .attr("wall_limits")(found.depth, found.rigid_depth, found.stiffness, found.drift,
-                                 found.pushed_out);
-      },
-      py::arg("wall"), "limits_of(wall: braked_wall) -> wall_limits\n\nWhat a wall made of brakes can be.");
+py::tuple references_of(const mechanism& m, py::handle q) {
+  const auto set = m.functions().reference_forces(vector_from(q, "q", m.sizes().dof));
+  const auto [n, d, count] = m.sizes();
+  py::array_t<double> G({d, count});
+  for (int i = 0; i < d; ++i)
+    for (int j = 0; j < count; ++j) G.mutable_at(i, j) = set.G[static_cast<std::size_t>(i + d * j)];
+  return py::make_tuple(G, enumerated("status", set.outcome));
+}
+
+py::list fmes_of(const mechanism& m, py::handle q, int segments) {
+  const auto set = m.functions().reference_forces(vector_from(q, "q", 2));
+  const ph::matrix<double, 2, 2> G(set.G.data());
+  py::list all;
+  for (const auto& region : ph::passive_fme_regions<2>()) {
+    const auto outline = ph::passive_fme_outline<double>(G, region, segments);
+    py::array_t<double> points({py::ssize_t(outline.size()), py::ssize_t(2)});
+    for (std::size_t k = 0; k < outline.size(); ++k)
+      for (int i = 0; i < 2; ++i) points.mutable_at(py::ssize_t(k), i) = outline[k][i];
+    all.append(py::make_tuple(py::make_tuple(region[0], region[1]), points));
+  }
+  return all;
+}
+
+named braked_wall_at(const mechanism& m, py::handle q, py::handle velocity, py::handle normal,
+                     const named& brakes, py::handle residual_torque, py::handle resolution,
+                     double hand_mass) {
+  const places at(m, q, velocity, normal, "velocity");
+  const auto residual = vector_from(residual_torque, "residual_torque"),
+             count = vector_from(resolution, "resolution");
+  const auto found = example::catalogue().braked_wall_at(
+      *m.held, brakes_of(brakes), {at.q[0], at.direction[0], at.normal[0], residual, count, hand_mass});
+  if (!found)
+    refuse_type(
+        "braked_wall_at needs a mechanism with inertia and as many joints as task dimensions; take one, such "
+        "as "
+        "two_link");
+  named made("table", "braked_wall", 0);
+  made.table = rt::any_parameters(*found);
+  return made;
+}
+
+// ---- simulations
+
+// Time steps as rows of 8-byte numbers: doubles, and whole numbers in the same width.
+class recorder {
+ public:
+  recorder(bool is_wanted, const py::object& tick) : is_wanted_(is_wanted), tick_(tick) {}
+  void see(const rt::following_record& now) {
+    constexpr int steps_between_signals = 1 << 10;
+    if (++steps_ % steps_between_signals == 0) {
+      let_others_run();
+      tick_(now.time);
+    }
+    if (!is_wanted_) return;
+    const rt::cycle_record& c = *now.control;
+    for (const double x : {now.time, now.depth}) numbers_.push_back(x);
+    for (const std::span<const double> v :
+         {std::span<const double>(now.position), std::span<const double>(now.velocity),
+          std::span<const double>(now.rates), std::span<const double>(now.brake_torque),
+          std::span<const double>(now.brake_power), std::span<const double>(now.hand_force),
+          std::span<const double>(now.brake_force), std::span<const double>(c.capacity)})
+      numbers_.insert(numbers_.end(), v.begin(), v.end());
+    numbers_.push_back(c.alpha);
+    for (const int whole : {static_cast<int>(c.outcome), static_cast<int>(c.power),
+                            static_cast<int>(c.display), static_cast<int>(c.saturated), c.wall_number})
+      numbers_.push_back(std::bit_cast<double>(std::int64_t(whole)));
+  }
+  const std::vector<double>& numbers() const { return numbers_; }
+
+ private:
+  bool is_wanted_;
+  py::object tick_;
+  long steps_ = 0;
+  std::vector<double> numbers_;
+};
+
+rt::hand_description hand_of(const named& n, py::handle direction, py::handle start) {
+  return {vector_from(direction, "direction"), vector_from(start, "start"),
+          n.table.as<ph::following_hand_parameters<double>>()};
+}
+
+py::array hand_force(const named& n, py::handle direction, py::handle start, double time, py::handle x,
+                     py::handle v, py::handle normal, double depth) {
+  const rt::hand_description of = hand_of(n, direction, start);
+  const auto force = [&]<int D>() -> py::array {
+    const auto task = [&](py::handle vector, const char* name) {
+      return ph::vector<double, D>(vector_from(vector, name, D).data());
+    };
+    return array_of(
+        of.hand<D>().force(time, task(x, "position"), task(v, "velocity"), task(normal, "normal"), depth));
+  };
+  return of.direction.size() == 2 ? force.operator()<2>() : force.operator()<3>();
+}
+
+std::unique_ptr<rt::any_plant> made_plant(const mechanism& m, const std::vector<const named*>& models,
+                                          double hand_mass, py::handle q) {
+  std::vector<rt::run_time_brake> brakes;
+  for (const named* n : models)
+    brakes.push_back(rt::find(example::catalogue().brake_models(), n->name)->make(n->table));
+  auto made = example::catalogue().make_plant(*m.held, brakes, hand_mass, vector_from(q, "q", m.sizes().dof));
+  if (!made) refuse_type("simulated_device needs a mechanism with inertia; take one, such as two_link");
+  return made;
+}
+
+py::tuple follow(const mechanism& m, rt::any_plant& plant, controller& control, const shape& of_shape,
+                 const named& hand, py::handle direction, py::handle start, const named& parameters,
+                 bool is_recorded, const py::object& tick) {
+  recorder seen(is_recorded, tick);
+  const rt::shape_variant surface =
+      std::visit([](const auto& s) -> rt::shape_variant { return *s.solid; }, of_shape.in);
+  const auto f = m.functions().follow_wall(
+      plant, [&](const rt::state_view& s) { return control.step(s); }, surface,
+      hand_of(hand, direction, start), parameters.table.as<ph::wall_following_parameters>(),
+      [&](const rt::following_record& now) { seen.see(now); });
+  const py::module_ results = py::module_::import("passive_haptics.results");
+  return py::make_tuple(
+      results.attr("contact_metrics")(f.separations, f.recontacts, f.depth_mean, f.depth_std, f.depth_range,
+                                      f.depth_drift, f.max_depth, f.stick_share, f.hand_force_std,
+                                      f.retarding_force, f.brake_energy, f.max_brake_power, f.duration,
+                                      f.arrived, f.touched, results.attr("run_end")(static_cast<int>(f.end))),
+      array_of(seen.numbers()));
+}
+
+py::dict energies(const ph::energy_balance& e) {
+  py::dict all;
+  all["start"] = e.start;
+  all["hand"] = e.hand;
+  all["gravity"] = e.gravity;
+  all["brakes"] = e.brakes;
+  all["residual_friction"] = e.residual_friction;
+  all["drag"] = e.drag;
+  all["kinetic"] = e.kinetic;
+  all["max_brake_power"] = e.max_brake_power;
+  return all;
 }
 
 }  // namespace
 
 void bind_design(py::class_<mechanism>& bound) {
-  bound
-      .def(
-          "displayable",
-          [](const mechanism& m, py::handle q, py::handle velocity, py::handle normal,
-             const py::object& given) {
-            const path_values place{any_numbers(q, "q"), any_numbers(velocity, "velocity"),
-                                    any_numbers(normal, "normal")};
-            return m.device().displayable(place, design_brakes_of(m, given, py::none()));
-          },
-          py::arg("q"), py::arg("velocity"), py::arg("normal"), py::arg("brakes") = py::none(),
-          "displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None "
-          "= ...) -> displayable_force\n\nWhat the brakes can display along the normal of a wall while the "
-          "handle moves with a velocity (its direction counts). Brakes without limits where none are given.")
-      .def(
-          "sink_slope",
-          [](const mechanism& m, py::handle q, py::handle direction, py::handle normal,
-             const py::object& given, double push, const py::object& motors) {
-            const path_values place{any_numbers(q, "q"), any_numbers(direction, "direction"),
-                                    any_numbers(normal, "normal")};
-            const auto found = m.device().sink_slope(place, design_brakes_of(m, given, motors), push);
-            return py::make_tuple(found.slope, enumerated("status", found.outcome));
-          },
-          py::arg("q"), py::arg("direction"), py::arg("normal"), py::arg("brakes") = py::none(),
-          py::arg("push") = 1.0, py::kw_only(), py::arg("motor_limit") = py::none(),
-          "sink_slope(self, q: Numbers, direction: Numbers, normal: Numbers, brakes: brake_parameters | None "
-          "= ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> tuple[float, status]\n\nThe "
-          "least slope [1], metres into a wall for each metre along it, at which the brakes resist a push "
-          "[N] while a hand leads the end effector in this direction; infinite where they do at none. Brakes "
-          "without limits where none are given. motor_limit: the torque of a motor beside each brake [N m].")
-      .def("sink_depth", &depth_of, py::arg("q"), py::arg("direction"), py::arg("normal"),
-           py::arg("brakes") = py::none(), py::arg("push") = 1.0, py::kw_only(),
-           py::arg("motor_limit") = py::none(),
-           "sink_depth(self, q: Array, direction: Numbers | Array, normal: Numbers | Array, brakes: "
-           "brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> "
-           "float\n\nThe depth [m] to which a hand that pushes [N] sinks on a path, at least. q: N x n joint "
-           "positions at the middles of N >= 2 equal parts of the path; direction and normal of the wall "
-           "there: N x d, or one vector for all.")
-      .def("design_map", &map_of, py::arg("q"), py::arg("direction"), py::arg("normal"),
-           py::arg("brakes") = py::none(), py::arg("push") = 1.0, py::kw_only(),
-           py::arg("motor_limit") = py::none(),
-           "design_map(self, q: Array, direction: Numbers | Array, normal: Numbers | Array, brakes: "
-           "brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> "
-           "Records\n\nThe figures of the device at N places of a task, an array with the fields outcome "
-           "(status), display (display_class), cosine of gamma [1], drag for each newton that is displayed "
-           "[1], strongest force along the normal [N], sink_slope [1] and isotropy of E [1]. q: N x n joint "
-           "positions; direction of the motion and normal of the wall: N x d, or one vector for all. push "
-           "[N]. N is at most 100 million. Ctrl-C ends it.")
-      .def(
-          "braked_wall_at",
-          [](const mechanism& m, py::handle q, py::handle velocity, py::handle normal,
-             const py::object& given, py::handle residual_torque, py::handle resolution, double hand_mass) {
-            const path_values place{any_numbers(q, "q"), any_numbers(velocity, "velocity"),
-                                    any_numbers(normal, "normal")};
-            return braked_wall_value(
-                m.device().braked_wall_at(place, design_brakes_of(m, given, py::none()),
-                                          any_numbers(residual_torque, "residual_torque"),
-                                          any_numbers(resolution, "resolution"), hand_mass));
-          },
-          py::arg("q"), py::arg("velocity"), py::arg("normal"), py::arg("brakes"), py::arg("residual_torque"),
-          py::arg("resolution"), py::arg("hand_mass"),
-          "braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, "
-          "residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall\n\nThe wall of "
-          "this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). "
-          "residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass "
-          "[kg]. Of a mechanism with inertia; TypeError for others.");
+  bound.def("has_reference_forces", [](const mechanism& m) { return m.functions().has_reference_forces(); })
+      .def("brake_signs",
+           [](const mechanism& m, py::handle q, py::handle qd, py::handle hand_force, const named& brakes) {
+             const auto [n, d, count] = m.sizes();
+             std::vector<double> force;
+             if (!hand_force.is_none()) force = vector_from(hand_force, "hand_force", d);
+             return array_of(m.functions().brake_signs(vector_from(q, "q", n), vector_from(qd, "qd", n),
+                                                       force, brakes_of(brakes)));
+           })
+      .def("reference_forces", &references_of)
+      .def("nearest_force",
+           [](const mechanism& m, py::handle q, py::handle signs, py::handle desired) {
+             const auto [n, d, count] = m.sizes();
+             return array_of(m.functions().nearest_force(vector_from(q, "q", n),
+                                                         vector_from(signs, "signs", count),
+                                                         vector_from(desired, "desired_force", d)));
+           })
+      .def("passive_fme", &fmes_of)
+      .def("displayable", &displayable)
+      .def("sink_slope",
+           [](const mechanism& m, py::handle q, py::handle direction, py::handle normal, const named& brakes,
+              double push, py::handle motors) {
+             const places at(m, q, direction, normal, "direction");
+             const auto found = m.functions().sink_slope(at[0], with_motors(brakes, motors), push);
+             return py::make_tuple(found.slope, enumerated("status", found.outcome));
+           })
+      .def("sink_depth", &depth_of)
+      .def("design_map", &map_of)
+      .def("braked_wall_at", &braked_wall_at);
 }
 
-void bind_walls_of_brakes(py::module_& module) { bind_braked_wall(module); }
+void bind_simulations(py::module_& module) {
+  using P = rt::any_plant;
+  const auto numbers = [](auto get) { return [get](const P& p) { return array_of((p.*get)()); }; };
+  py::class_<P>(module, "plant")
+      .def(py::init(&made_plant))
+      .def("advance",
+           [](P& p, double dt, py::handle capacity, py::handle muscle_force) {
+             p.advance(dt, vector_from(capacity, "capacity", static_cast<int>(p.rates().size())),
+                       vector_from(muscle_force, "muscle_force", static_cast<int>(p.position().size())));
+           })
+      .def("set_motion",
+           [](P& p, py::handle q, py::handle qd) {
+             const auto n = static_cast<int>(p.q().size());
+             p.set_motion(vector_from(q, "q", n), vector_from(qd, "qd", n));
+           })
+      .def("q", numbers(&P::q))
+      .def("qd", numbers(&P::qd))
+      .def("position", numbers(&P::position))
+      .def("velocity", numbers(&P::velocity))
+      .def("rates", numbers(&P::rates))
+      .def("sensed_force", numbers(&P::sensed_force))
+      .def("brake_torque", numbers(&P::brake_torque))
+      .def("brake_force", numbers(&P::brake_force))
+      .def("energy", [](const P& p) { return energies(p.energy()); });
+  module.def("hand_force", &hand_force);
+  module.def("follow_wall", &follow);
+  module.def("limits_of", [](const named& of) {
+    const auto found = ph::limits_of(of.table.as<ph::braked_wall>());
+    return py::make_tuple(found.depth, found.rigid_depth, found.stiffness, found.drift, found.pushed_out);
+  });
+}
 
 }  // namespace passive_haptics_python

@@ -1,29 +1,126 @@
 /// @file
-/// What sources share that take a mechanism, brakes or a controller from Python.
+/// Mechanisms and controllers as Python holds them.
 #pragma once
 
-#include <passive_haptics_python/mechanisms.hpp>
+#include "scenes.hpp"
+
+#include <passive_haptics/runtime/any_design.hpp>
+#include <passive_haptics/runtime/catalogue.hpp>
+
+#include <exception>
+#include <memory>
+#include <utility>
 
 namespace passive_haptics_python {
 
-/// The parameters of brakes that must be those of a device; a TypeError if they are not.
-brake_numbers brakes_for(const mechanism& of, const py::object& given);
+/// A mechanism, and its functions of design; nullptr where its kind is not compiled.
+struct mechanism {
+  std::unique_ptr<rt::any_mechanism> held;  ///< The mechanism.
+  std::unique_ptr<rt::any_design> design;   ///< Its functions.
 
-/// Lets other threads of Python run, and throws KeyboardInterrupt after Ctrl-C.
-inline void let_others_run() {
-  {
-    const py::gil_scoped_release unlocked;
+  /// Holds this one.
+  explicit mechanism(std::unique_ptr<rt::any_mechanism> of);
+  rt::device_sizes sizes() const { return held->sizes(); }  ///< n, d and m.
+  /// The functions; a TypeError where there are none.
+  const rt::any_design& functions() const;
+};
+
+/// State of a device.
+struct device_state {
+  double time = 0;                 ///< [s]
+  std::vector<double> q;           ///< n [rad or m]
+  std::vector<double> qd;          ///< n [rad/s or m/s]
+  std::vector<double> hand_force;  ///< d [N]; none without a force sensor.
+  /// As a cycle takes it.
+  operator rt::state_view() const { return {time, q, qd, hand_force}; }
+};
+
+/// A controller that one call uses at a time: a function of a mechanism in Python might call it again.
+class controller {
+ public:
+  /// Holds this one.
+  explicit controller(std::unique_ptr<rt::any_controller> of) : held_(std::move(of)) {}
+  /// One cycle. A ValueError if a vector has another size, or there is no hand force where the law needs one;
+  /// throws what functions of a mechanism in Python throw.
+  rt::cycle_record step(const rt::state_view& state);
+  void reset() { only_call(*this).held().reset(); }  ///< Forgets the motion.
+  /// Other brakes from the next cycle on.
+  void set_brakes(const rt::brake_numbers& brakes) { only_call(*this).held().set_brakes(brakes); }
+  const rt::any_controller& held() const { return *held_; }  ///< The controller.
+
+ private:
+  class only_call {
+   public:
+    explicit only_call(controller& of);
+    only_call(const only_call&) = delete;
+    only_call& operator=(const only_call&) = delete;
+    ~only_call() { of_.is_called_ = false; }
+    rt::any_controller& held() { return *of_.held_; }
+
+   private:
+    controller& of_;
+  };
+
+  std::unique_ptr<rt::any_controller> held_;
+  bool is_called_ = false;
+};
+
+/// Exceptions of a user's functions within a control cycle, which cannot throw: keeps the first one of this
+/// thread while it lives.
+class deferred_error {
+ public:
+  deferred_error() : outer_(std::exchange(innermost_, this)) {}  ///< Keeps exceptions from here on.
+  deferred_error(const deferred_error&) = delete;
+  deferred_error& operator=(const deferred_error&) = delete;
+  ~deferred_error() { innermost_ = outer_; }
+  /// Throws what was kept.
+  void rethrow() {
+    if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
   }
-  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-}
+  /// True if an exception is kept, so that a function need not be called any more.
+  static bool is_kept() { return innermost_ != nullptr && innermost_->error_ != nullptr; }
+  /// Keeps the exception that is handled now, or throws it where none may be kept.
+  static void keep() {
+    if (innermost_ == nullptr) throw;
+    if (innermost_->error_ == nullptr) innermost_->error_ = std::current_exception();
+  }
 
-/// x as a vector of any length.
-inline numbers any_numbers(py::handle x, const char* name) { return vector_from<Eigen::Dynamic>(x, name); }
+ private:
+  inline static thread_local deferred_error* innermost_ = nullptr;
+  deferred_error* outer_;
+  std::exception_ptr error_;
+};
 
-/// The controller that a Python user passes, which must be of a device of these sizes.
-any_controller& controller_for(const device_sizes& sizes, py::handle given);
-
-/// The brakes that a Python user passes as a list of brake models.
-std::vector<run_time_brake> brake_models_from(py::handle given);
+// Each binds a part of the module.
+void bind_scenes(py::module_& module);
+void bind_devices(py::module_& module);
+void bind_design(py::class_<mechanism>& bound);
+void bind_simulations(py::module_& module);
+void bind_python_mechanism(py::module_& module);
+void bind_logs(py::module_& module);
 
 }  // namespace passive_haptics_python
+
+namespace pybind11::detail {
+
+/// Values that a user can get without their __init__, by X.__new__(X): using one is a TypeError.
+template <class T>
+struct made_caster : type_caster_base<T> {
+  /// As of the base class.
+  bool load(handle from, bool convert) {
+    if (isinstance<T>(from) &&
+        !reinterpret_cast<instance*>(from.ptr())->get_value_and_holder().holder_constructed())
+      throw type_error("passive_haptics: a value without parameters, expected a call of its __init__");
+    return type_caster_base<T>::load(from, convert);
+  }
+};
+/// A state.
+template <>
+struct type_caster<passive_haptics_python::device_state> : made_caster<passive_haptics_python::device_state> {
+};
+/// A result.
+template <>
+struct type_caster<passive_haptics::runtime::cycle_record>
+    : made_caster<passive_haptics::runtime::cycle_record> {};
+
+}  // namespace pybind11::detail

@@ -1,8 +1,5 @@
 // Logs (examples/log), for logs.py of the package.
-#include <precompiled.hpp>
-
 #include "devices.hpp"
-#include "module.hpp"
 
 #include <log/known_columns.hpp>
 #include <log/log_columns.hpp>
@@ -98,23 +95,11 @@ bool is_along_axes(py::handle name) {
 }  // namespace
 
 void bind_logs(py::module_& module) {
-  module.def(
-      "_read_log", &read, py::arg("path"), py::arg("name"),
-      "_read_log(path: bytes, name: str) -> tuple[list[str], list[str], list[Any]]\n\nNames, units and "
-      "columns of a log, arrays of numbers or lists of words. name: of the file, in errors.");
-  module.def("_log_text", &text_of, py::arg("names"), py::arg("units"), py::arg("values"),
-             py::arg("with_header"),
-             "_log_text(names: list[str], units: list[str], values: list[Any], with_header: bool) -> "
-             "bytes\n\nThe lines of a log.");
-  module.def("_check_log", &check, py::arg("path"), py::arg("name"), py::arg("names"), py::arg("units"),
-             py::arg("values"),
-             "_check_log(path: bytes, name: str, names: list[str], units: list[str], values: list[Any]) -> "
-             "None\n\nThrows ValueError if a log is not the one that was to be written.");
-  module.def("_unit_of_column", &unit_of, py::arg("name"),
-             "_unit_of_column(name: str) -> str | None\n\nThe unit of a column of the library's logs, "
-             "empty of words, or None.");
-  module.def("_is_along_axes", &is_along_axes, py::arg("name"),
-             "_is_along_axes(name: str) -> bool\n\nWhether the parts of these columns are _x, _y and _z.");
+  module.def("read_log", &read);
+  module.def("log_text", &text_of);
+  module.def("check_log", &check);
+  module.def("unit_of_column", &unit_of);
+  module.def("is_along_axes", &is_along_axes);
 }
 
 }  // namespace passive_haptics_python

@@ -1,265 +1,221 @@
-// A mechanism whose functions are written in Python.
-#include <precompiled.hpp>
+// A mechanism whose functions are written in Python, for python_mechanism.py of the package.
+#include "devices.hpp"
 
-#include "mechanisms/any_devices.hpp"
-#include "module.hpp"
-#include "python_functions.hpp"
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 
-#include <passive_haptics_python/mechanisms.hpp>
+#include <pybind11/eigen.h>
+#include <Eigen/Cholesky>
 
-#include <functional>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace passive_haptics_python {
 namespace {
 
-using check_at = std::function<void(const numbers& q)>;
+// The functions of a user, None where there is none.
+struct callables {
+  py::object position;           // q -> x
+  py::object jacobian;           // q -> J
+  py::object mass_matrix;        // q -> M
+  py::object bias_torque;        // q, qd -> c
+  py::object bias_acceleration;  // q, qd -> Jd qd
+  bool is_checked = false;       // Or they are still to be compared with each other.
+};
 
-// Lets exceptions of the mechanism's functions out of a control cycle. Such a function, and another thread
-// while it runs, may call the controller again, which no cycle expects. The functions are checked at the
-// first finite q.
-class python_controller final : public any_controller {
+template <int N>
+ph::vector<double, N> vector_of(py::handle x, const std::string& name) {
+  return ph::vector<double, N>(vector_from(x, name, N).data());
+}
+template <int R, int C>
+ph::matrix<double, R, C> matrix_of(py::handle x, const std::string& name) {
+  const py::array_t<double> rows = array_from(x, name, {2});
+  if (rows.shape(0) != R || rows.shape(1) != C)
+    refuse_value("shape of " + name + " = " + std::string(py::str(rows.attr("shape"))) + ", expected (" +
+                 std::to_string(R) + ", " + std::to_string(C) + ")");
+  const auto at = rows.unchecked<2>();
+  ph::matrix<double, R, C> m;
+  for (int i = 0; i < R; ++i)
+    for (int j = 0; j < C; ++j) m(i, j) = at(i, j);
+  return m;
+}
+
+// The mechanism of N joints and D task dimensions that these functions are, a brake on each joint. Calls
+// them under Python's lock. Where a deferred_error keeps their exceptions, what they return is NaN.
+template <int N, int D, bool HasInertia>
+class python_functions {
  public:
-  python_controller(std::unique_ptr<any_controller> held, check_at check)
-      : held_(std::move(held)), check_(std::move(check)) {}
-  result_values step(const state_values& state) override {
-    const only_call alone(*this);
-    check_first(state.q);
-    deferred_error errors;
-    const result_values result = held_->step(state);
-    errors.rethrow();
-    return result;
+  using scalar = double;                                              // Scalar of all lengths and angles.
+  static constexpr int dof = N, task_dimension = D, brake_count = N;  // n, d and m.
+  using joints = ph::vector<double, N>;                               // [rad or m] or rates of them.
+  using task = ph::vector<double, D>;                                 // [m] or [m/s^2].
+  using d_by_n = ph::matrix<double, D, N>;                            // J or J^-T.
+  using n_by_n = ph::matrix<double, N, N>;                            // M
+
+  // Of these functions.
+  explicit python_functions(callables of) : of_(std::make_shared<callables>(std::move(of))) {}
+
+  // End effector [m], base frame.
+  task position(const joints& q) const {
+    return guarded<task>([&] { return vector_of<D>(of_->position(array(q)), "position(q)"); });
   }
-  void run(const batch_columns& columns) const override {
-    const py::gil_scoped_acquire locked;
-    numbers q(static_cast<Eigen::Index>(columns.q.size()));
-    for (std::size_t k = 0; check_ && k < columns.count; ++k) {
-      for (std::size_t i = 0; i < columns.q.size(); ++i) q[static_cast<Eigen::Index>(i)] = columns.q[i][k];
-      check_first(q);
+  // J [m/rad or 1], by central differences where there is no function.
+  d_by_n jacobian(const joints& q) const {
+    return guarded<d_by_n>([&] {
+      check_once(q);
+      return of_->jacobian.is_none() ? differences(q)
+                                     : matrix_of<D, N>(of_->jacobian(array(q)), "jacobian(q)");
+    });
+  }
+  // M [kg m^2, kg m or kg].
+  n_by_n mass_matrix(const joints& q) const
+    requires HasInertia
+  {
+    return guarded<n_by_n>([&] {
+      check_once(q);
+      return matrix_of<N, N>(of_->mass_matrix(array(q)), "mass_matrix(q)");
+    });
+  }
+  // c [N m or N].
+  joints bias_torque(const joints& q, const joints& qd) const
+    requires HasInertia
+  {
+    return guarded<joints>(
+        [&] { return vector_of<N>(of_->bias_torque(array(q), array(qd)), "bias_torque(q, qd)"); });
+  }
+  // Jd qd [m/s^2].
+  task bias_acceleration(const joints& q, const joints& qd) const
+    requires HasInertia
+  {
+    return guarded<task>([&] {
+      return vector_of<D>(of_->bias_acceleration(array(q), array(qd)), "bias_acceleration(q, qd)");
+    });
+  }
+  // Compares the functions with each other at finite q. Throws ValueError with the entry of J that is not
+  // the central difference of the position, or the entry of M that is not symmetric. Throws it also for an M
+  // that is not positive definite, and for inertia that is not finite. If x or J is not finite, the cycle's
+  // status reports it.
+  void check(const joints& q) const {
+    if (!q.allFinite()) return;
+    of_->is_checked = true;  // its own calls below need no check
+    try {
+      check_jacobian(q);
+      if constexpr (HasInertia) check_inertia(q);
+    } catch (...) {
+      of_->is_checked = false;
+      throw;
     }
-    deferred_error errors;
-    held_->run(columns);
-    errors.rethrow();
-  }
-  void reset() override {
-    const only_call alone(*this);
-    held_->reset();
-  }
-  void set_brakes(const brake_numbers& brakes) override {
-    const only_call alone(*this);
-    held_->set_brakes(brakes);
   }
 
  private:
-  // Under Python's lock, as all calls but batches, which have a controller of their own.
-  class only_call {
-   public:
-    explicit only_call(python_controller& of) : of_(of) {
-      if (of.is_called_)
-        refuse_value(
-            "the controller is called while a function of its mechanism runs, expected one call at a "
-            "time: make a controller for each thread, and call none from such a function");
-      of.is_called_ = true;
+  static constexpr double tolerance = 1e-4;  // relative
+
+  void check_once(const joints& q) const {
+    if (!of_->is_checked) check(q);
+  }
+  void check_jacobian(const joints& q) const {
+    const d_by_n expected = differences(q);
+    if (of_->jacobian.is_none() || !expected.allFinite()) return;
+    const d_by_n J = jacobian(q);
+    if (!J.allFinite()) return;
+    const double largest = expected.cwiseAbs().maxCoeff();
+    for (int j = 0; j < N; ++j) {  // a column has a unit of its own
+      const double size = std::max(expected.col(j).cwiseAbs().maxCoeff(), 0.01 * largest);
+      for (int i = 0; i < D; ++i)
+        if (!(std::abs(J(i, j) - expected(i, j)) <= tolerance * size))
+          refuse_value(entry("jacobian(q)", i, j, J(i, j)) + ", expected " + shown_number(expected(i, j)) +
+                       ", the slope of position(q)[" + std::to_string(i) + "] over q[" + std::to_string(j) +
+                       "] at q = " + std::string(py::str(array(q))) +
+                       "; correct the function (a transposed matrix?), or pass check=False");
     }
-    only_call(const only_call&) = delete;
-    only_call& operator=(const only_call&) = delete;
-    ~only_call() { of_.is_called_ = false; }
-
-   private:
-    python_controller& of_;
-  };
-
-  void check_first(const numbers& q) const {
-    if (!check_ || !q.allFinite()) return;
-    check_at(check_)(q);  // a copy: another thread may be the first to end
-    check_ = nullptr;
+  }
+  void check_inertia(const joints& q) const {
+    const n_by_n M = mass_matrix(q);
+    const auto expect_finite = [](const auto& x, const char* name) {
+      for (int i = 0; i < x.size(); ++i)
+        if (!std::isfinite(x[i]))
+          refuse_value(std::string(name) + "[" + std::to_string(i) + "] = " + shown_number(x[i]) +
+                       ", expected a finite number");
+    };
+    for (int i = 0; i < N; ++i) {
+      for (int j = 0; j < N; ++j) {
+        if (!std::isfinite(M(i, j)))
+          refuse_value(entry("mass_matrix(q)", i, j, M(i, j)) + ", expected a finite number");
+        if (!(std::abs(M(i, j) - M(j, i)) <= tolerance * std::sqrt(std::abs(M(i, i) * M(j, j)))))
+          refuse_value(entry("mass_matrix(q)", i, j, M(i, j)) + ", expected " + shown_number(M(j, i)) +
+                       ", as the matrix is symmetric; correct the function, or pass check=False");
+      }
+    }
+    if (Eigen::LLT<n_by_n>(M).info() != Eigen::Success)
+      refuse_value("mass_matrix(q) = " + shown(py::cast(M)) +
+                   ", expected a positive definite matrix; correct the function, or pass check=False");
+    expect_finite(bias_torque(q, joints::Zero()), "bias_torque(q, qd)");
+    expect_finite(bias_acceleration(q, joints::Zero()), "bias_acceleration(q, qd)");
+  }
+  static std::string shown_number(double x) { return py::str(py::float_(x)); }
+  static std::string entry(const char* name, int i, int j, double x) {
+    return std::string(name) + "[" + std::to_string(i) + "][" + std::to_string(j) + "] = " + shown_number(x);
   }
 
-  std::unique_ptr<any_controller> held_;
-  bool is_called_ = false;
-  mutable check_at check_;  // until it was passed
+  static py::object array(const joints& x) { return array_of(x); }
+
+  template <class Value, class F>
+  static Value guarded(const F& f) {
+    if (!deferred_error::is_kept()) {
+      const py::gil_scoped_acquire locked;
+      try {
+        return f();
+      } catch (...) {
+        deferred_error::keep();
+      }
+    }
+    return Value::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  // With the step that leaves about as much rounding as it cuts off. Not finite at a q so large that the step
+  // is lost in its rounding.
+  d_by_n differences(const joints& q) const {
+    const double step = std::cbrt(std::numeric_limits<double>::epsilon());
+    d_by_n J;
+    for (int i = 0; i < N; ++i) {
+      joints above = q, below = q;
+      above[i] += step;
+      below[i] -= step;
+      J.col(i) = (position(above) - position(below)) / (above[i] - below[i]);
+    }
+    return J;
+  }
+
+  std::shared_ptr<callables> of_;
 };
 
-// The mechanism that recommended_law sees: brakes and no inertia.
-struct massless_joint {
-  using scalar = double;
-  static constexpr int dof = 1, task_dimension = 1, brake_count = 1;
-  ph::vector<double, 1> position(const ph::vector<double, 1>& q) const { return q; }
-};
-
-py::object recommended_relay(const brake_numbers& brakes) {
-  ph::brakes_of<massless_joint> slowest;
-  slowest.time_constant.setConstant(brakes.time_constant.maxCoeff());
-  return py::cast(law_value<ph::on_off_control>(ph::recommended_law(massless_joint(), slowest).parameters));
+template <int N, int D>
+std::unique_ptr<rt::any_mechanism> mechanism_of(const callables& of) {
+  if (of.mass_matrix.is_none())
+    return std::make_unique<rt::mechanism_model<python_functions<N, D, false>>>(
+        python_functions<N, D, false>(of));
+  return std::make_unique<rt::mechanism_model<python_functions<N, D, true>>>(
+      python_functions<N, D, true>(of));
 }
 
-struct size_of_device {
-  int dof, task_dimension;
-  bool has_inertia;  // whether simulations are compiled for this size
-};
-constexpr size_of_device sizes[] = {{2, 2, true}, {3, 2, true},  {4, 2, true},
-                                    {3, 3, true}, {6, 3, false}, {7, 3, false}};
-
-struct checked_device {
-  std::unique_ptr<any_device> device;
-  check_at check;
-};
-
-template <class Held, int N, int D>
-checked_device device_of_functions(const callables& of, bool has_inertia) {
-  const python_functions<N, D> functions(of);
-  check_at check;
-  if (!of.is_checked) check = [functions](const numbers& q) { functions.check(sized<N>(q, "q", "joints")); };
-  return {device_for(Held(functions), has_inertia), std::move(check)};
-}
-checked_device device_of_size(int n, int d, const callables& of, bool has_inertia) {
-  if (n == 2 && d == 2) return device_of_functions<any_pair, 2, 2>(of, has_inertia);
-  if (n == 3 && d == 2) return device_of_functions<any_mechanism<3, 2>, 3, 2>(of, has_inertia);
-  if (n == 4 && d == 2) return device_of_functions<any_mechanism<4, 2>, 4, 2>(of, has_inertia);
-  if (n == 3 && d == 3) return device_of_functions<any_mechanism<3, 3>, 3, 3>(of, has_inertia);
-  if (n == 6 && d == 3) return device_of_functions<any_long_chain<6>, 6, 3>(of, has_inertia);
-  if (n == 7 && d == 3) return device_of_functions<any_long_chain<7>, 7, 3>(of, has_inertia);
-  std::string all;
-  for (const auto& size : sizes)
-    all +=
-        (all.empty() ? "" : ", ") + std::to_string(size.dof) + " and " + std::to_string(size.task_dimension);
-  refuse_value("dof = " + std::to_string(n) + " and task_dimension = " + std::to_string(d) + ", expected " +
-               all + "; bind a mechanism of another size in C++, with bind_mechanism");
-}
-
-// The parameters of a python_mechanism: two sizes, then functions.
-const char* const names_of_inertia[] = {"mass_matrix", "bias_torque", "bias_acceleration"};
-
-class python_mechanism final : public mechanism {
- public:
-  const any_device& device() const override { return *of_.device; }
-  std::unique_ptr<any_controller> make_controller(const brake_numbers& brakes, const scene& walls,
-                                                  const py::object& of_law,
-                                                  const ph::step_options<double>& options) const override {
-    std::unique_ptr<any_controller> made;
-    if (has_inertia_ || !py::isinstance<law_value<ph::velocity_direct_control>>(of_law))
-      made = of_.device->make_controller(brakes, walls, py::cast<const law&>(of_law), options, nullptr);
-    if (!made)
-      refuse_type(
-          "law = " + shown(of_law) + ", expected direct_control, saturated_direct_control, on_off_control" +
-          (has_inertia_ ? " or velocity_direct_control" : "; velocity_direct_control needs a mass_matrix"));
-    return std::make_unique<python_controller>(std::move(made), of_.check);
-  }
-  py::object recommended_law(const brake_numbers& brakes) const override {
-    if (has_inertia_) return py::cast(law_value<ph::velocity_direct_control>());
-    return recommended_relay(brakes);
-  }
-  // The brakes of as many joints.
-  py::object brakes(const py::args& args, const py::kwargs& kwargs) const {
-    const std::string name = "brakes_" + std::to_string(of_.device->sizes().brake_count);
-    return py::module_::import("passive_haptics._native").attr(name.c_str())(*args, **kwargs);
-  }
-
-  static std::vector<std::string> names() {
-    return {"dof",         "task_dimension", "position",          "jacobian",
-            "mass_matrix", "bias_torque",    "bias_acceleration", "check"};
-  }
-  static python_mechanism made(const py::dict& given, const std::string& name) {
-    python_mechanism m;
-    for (const auto& [key, value] : given) m.set(py::str(key), value, name);
-    for (const char* needed : {"dof", "task_dimension", "position"})
-      if (!m.given_.contains(needed))
-        refuse_type(name + " needs dof, task_dimension and position, but no " + needed + " was given");
-    m.find_inertia();
-    const int n = int(whole_number_from(m.given_["dof"], "dof"));
-    const int d = int(whole_number_from(m.given_["task_dimension"], "task_dimension"));
-    for (const auto& size : sizes)
-      if (m.has_inertia_ && size.dof == n && size.task_dimension == d && !size.has_inertia)
-        refuse_type("mass_matrix of a mechanism with " + std::to_string(n) +
-                    " joints, expected none: simulations are for 2 to 4 joints; bind this one in C++, with "
-                    "bind_mechanism");
-    const bool is_trusted = m.given_.contains("check") && !py::bool_(m.given_["check"]);
-    m.of_ = device_of_size(n, d,
-                           {m.part("position"), m.part("jacobian"), m.part("mass_matrix"),
-                            m.part("bias_torque"), m.part("bias_acceleration"), is_trusted},
-                           m.has_inertia_);
-    return m;
-  }
-  py::dict parameters() const { return py::dict(given_.attr("copy")()); }
-  py::dict changed() const { return parameters(); }
-
- private:
-  void set(const std::string& key, py::handle value, const std::string& name) {
-    const std::vector<std::string> all = names();
-    if (std::find(all.begin(), all.end(), key) == all.end())
-      refuse_type(name + " has no parameter '" + key + "', expected " + joined(all));
-    if (value.is_none()) return;
-    if (key == "check") {
-      if (!py::isinstance<py::bool_>(value))
-        refuse_type("check = " + shown(value) + ", expected True or False");
-    } else if (key == "dof" || key == "task_dimension") whole_number_from(value, key);
-    else if (PyCallable_Check(value.ptr()) == 0)
-      refuse_type(key + " = " + shown(value) + ", expected a function of q" +
-                  (key.starts_with("bias") ? " and qd" : ""));
-    given_[key.c_str()] = value;
-  }
-  void find_inertia() {
-    int count = 0;
-    for (const char* one : names_of_inertia) count += given_.contains(one) ? 1 : 0;
-    for (const char* one : names_of_inertia)
-      if (count > 0 && !given_.contains(one))
-        refuse_type(std::string(one) +
-                    " = None, expected a function: inertia takes mass_matrix, bias_torque and "
-                    "bias_acceleration, all or none");
-    has_inertia_ = count > 0;
-  }
-  py::object part(const char* key) const {
-    return given_.contains(key) ? py::object(given_[key]) : py::none();
-  }
-
-  py::dict given_;
-  bool has_inertia_ = false;
-  checked_device of_;
-};
-
-// "python_mechanism(dof=2, ...)", functions by their names.
-std::string shown_call(const python_mechanism& m) {
-  std::string text;
-  for (const auto& [key, value] : m.parameters()) {
-    const py::object what = py::hasattr(value, "__qualname__") ? value.attr("__qualname__") : py::repr(value);
-    text += (text.empty() ? "" : ", ") + std::string(py::str(key)) + "=" + std::string(py::str(what));
-  }
-  return "python_mechanism(" + text + ")";
+mechanism made(int n, int d, const py::object& position, const py::object& jacobian,
+               const py::object& mass_matrix, const py::object& bias_torque,
+               const py::object& bias_acceleration, bool is_trusted) {
+  const callables of{position, jacobian, mass_matrix, bias_torque, bias_acceleration, is_trusted};
+  if (n == 2 && d == 2) return mechanism(mechanism_of<2, 2>(of));
+  if (n == 3 && d == 2) return mechanism(mechanism_of<3, 2>(of));
+  if (n == 4 && d == 2) return mechanism(mechanism_of<4, 2>(of));
+  if (n == 3 && d == 3) return mechanism(mechanism_of<3, 3>(of));
+  if (n == 6 && d == 3) return mechanism(mechanism_of<6, 3>(of));
+  if (n == 7 && d == 3) return mechanism(mechanism_of<7, 3>(of));
+  refuse_value(
+      "dof = " + std::to_string(n) + " and task_dimension = " + std::to_string(d) +
+      ", expected 2 and 2, 3 and 2, 4 and 2, 3 and 3, 6 and 3, or 7 and 3; add a mechanism of another size "
+      "in C++, with add_mechanism");
 }
 
 }  // namespace
 
-void bind_python_mechanism(py::module_& module) {
-  using X = python_mechanism;
-  py::class_<X, mechanism> bound(
-      module, "python_mechanism",
-      "(dof: int, task_dimension: int, position: Callable[[Array], Numbers], jacobian: Callable[[Array], "
-      "Rows] | None = ..., mass_matrix: Callable[[Array], Rows] | None = ..., bias_torque: "
-      "Callable[[Array, Array], Numbers] | None = ..., bias_acceleration: Callable[[Array, Array], "
-      "Numbers] | None = ..., check: bool = ...)\n\nA mechanism whose functions are written in Python, a "
-      "brake on each of its "
-      "joints. It does all that a compiled one does, slower: each call of a function takes "
-      "microseconds.\n\ndof and task_dimension: 2 and 2, 3 and 2, 4 and 2, 3 and 3, 6 and 3, or 7 and 3. "
-      "position(q) returns the end effector [m], base frame, of joint positions q [rad or m], an array of "
-      "dof numbers. jacobian(q) returns J in v = J qd, task_dimension x dof [m/rad or 1]; without it J is "
-      "found by central differences, to about ten digits. With inertia, up to 4 joints: mass_matrix(q) "
-      "returns M, dof x dof [kg m^2, kg m or kg], bias_torque(q, qd) returns c in M qdd + c [N m or N], "
-      "bias_acceleration(q, qd) returns Jd qd [m/s^2]; all three or none. At the first q, the functions are "
-      "compared with each other; a jacobian that is not the derivative of position (1e-4), a mass matrix "
-      "that "
-      "is not symmetric and positive definite, or a torque or acceleration that is not finite is a "
-      "ValueError "
-      "with the entry; check=False turns this off. An exception of a function comes "
-      "out of the call as it is. NaN ends a cycle with status.state_not_finite or another status. The "
-      "mechanism pickles if its functions do. Equal mechanisms have equal functions.");
-  add_value_protocol(bound, "python_mechanism");
-  bound.attr("__repr__") = py::cpp_function(&shown_call, py::name("__repr__"), py::is_method(bound));
-  bound.def(
-      "brakes", &X::brakes,
-      "brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers "
-      "= ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> "
-      "brake_parameters\n\nThe brakes of this device: torque_limit "
-      "[N m], rate_dead_band [rad/s], torque_dead_band [N m], time_constant [s], torque_lower and "
-      "torque_upper [N m], a number for each joint.");
-}
+void bind_python_mechanism(py::module_& module) { module.def("python_mechanism", &made); }
 
 }  // namespace passive_haptics_python

@@ -1,227 +1,263 @@
-// Scenes of walls.
-#include <precompiled.hpp>
+// Shapes, meshes, walls, effects and scenes, for scenes.py and meshes.py of the package.
+#include "scenes.hpp"
 
-#include "kind_of_scene.hpp"
-#include "module.hpp"
-#include "walls.hpp"
+#include <catalogue/catalogue.hpp>
 
-#include <passive_haptics_python/scenes.hpp>
-
+#include <passive_haptics/scene/files/obj.hpp>
+#include <passive_haptics/scene/files/ply.hpp>
+#include <passive_haptics/scene/files/stl.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/mesh/mesh_plausibility.hpp>
+#include <passive_haptics/scene/mesh/mesh_solid.hpp>
+#include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/scene/scene.hpp>
 #include <passive_haptics/scene/world/world.hpp>
+
+#include <pybind11/stl.h>
+
+#include <utility>
 
 namespace passive_haptics_python {
 namespace {
 
-// One wall, whose contacts are those of a static_scene.
-template <int D, int Capacity>
-class single_wall final : public any_scene<D, Capacity>::interface {
-  using contacts = typename any_scene<D, Capacity>::contacts_type;
-
- public:
-  explicit single_wall(const ph::wall<any_shape<D>>& wall) : scene_(wall) {}
-  std::unique_ptr<typename any_scene<D, Capacity>::interface> copy() const override {
-    return std::make_unique<single_wall>(*this);
-  }
-  const contacts& touched_at(const ph::point<D>& x, double) override {
-    touched_.clear();
-    for (const auto& contact : scene_.touched_at(x)) touched_.append_unchecked(contact);
-    return touched_;
-  }
-  void set_margin(double margin) override { scene_.set_margin(margin); }
-  void reset() override {}
-
- private:
-  ph::static_scene<any_shape<D>> scene_;
-  contacts touched_;
-};
-
-// Many walls.
-template <int D>
-class many_walls final : public any_scene<D>::interface {
- public:
-  explicit many_walls(const ph::world<D>& world) : world_(world) {}
-  std::unique_ptr<typename any_scene<D>::interface> copy() const override {
-    return std::make_unique<many_walls>(*this);
-  }
-  const typename any_scene<D>::contacts_type& touched_at(const ph::point<D>& x, double) override {
-    return world_.touched_at(x);
-  }
-  void set_margin(double margin) override { world_.set_margin(margin); }
-  void reset() override { world_.reset(); }
-
- private:
-  ph::world<D> world_;
-};
-
-// A scene of which the latest sample is held.
-template <int D, int Capacity>
-class held final : public any_scene<D, Capacity>::interface {
-  using contacts = typename any_scene<D, Capacity>::contacts_type;
-  // As held_scene takes it: without a time.
-  struct sampled {
-    static constexpr int dimension = D;
-    using contacts_type = contacts;
-    any_scene<D, Capacity> of;
-    const contacts& touched_at(const ph::point<D>& x) { return of.touched_at(x, 0); }
-    void set_margin(double margin) { of.set_margin(margin); }
-  };
-
- public:
-  held(any_scene<D, Capacity> of, double period) : scene_(sampled{std::move(of)}, period), period_(period) {}
-  std::unique_ptr<typename any_scene<D, Capacity>::interface> copy() const override {
-    return std::make_unique<held>(*this);
-  }
-  const contacts& touched_at(const ph::point<D>& x, double time) override {
-    return scene_.touched_at(x, time);
-  }
-  void set_margin(double margin) override { scene_.set_margin(margin); }
-  void reset() override {
-    sampled of = std::move(scene_.scene());
-    of.of.reset();
-    scene_ = ph::held_scene<sampled>(std::move(of), period_);
-  }
-
- private:
-  ph::held_scene<sampled> scene_;
-  double period_;
-};
-
-template <int D, int Capacity>
-any_scene<D, Capacity> world_of(const scene& of) {
-  if constexpr (Capacity == 1) {
-    const bool is_one = of.walls.size() == 1;
-    refuse_value((is_one ? "scene is a world" : "scene has " + std::to_string(of.walls.size()) + " walls") +
-                 ", expected one wall with an inside, scene(wall(shape, stiffness)): a law that saturates "
-                 "before scaling takes one wall at a time; take direct_control");
-  } else {
-    ph::world_walls<D> walls;
-    for (std::size_t i = 0; i < of.walls.size(); ++i) walls.add(any_wall_of<D>(of.wall_at(i)));
-    return any_scene<D>(std::make_unique<many_walls<D>>(ph::world<D>(walls)));
-  }
+template <int D, class Variant>
+const auto& in_dimension(const Variant& v) {
+  return std::get<D - 2>(v.in);
 }
 
-struct scene_value final : kind_of_scene<scene_value> {
-  explicit scene_value(const py::tuple& given) : kind_of_scene(given, "scene") {}
-  bool is_one_wall() const override { return walls.size() == 1 && py::isinstance<shape>(wall_at(0).of); }
-  template <int D, int Capacity>
-  any_scene<D, Capacity> scene_in() const {
-    if (!is_one_wall()) return world_of<D, Capacity>(*this);
-    return any_scene<D, Capacity>(std::make_unique<single_wall<D, Capacity>>(*wall_at(0).solid<D>()));
+template <int D>
+shape_in<D> made_in(const named& n, const shape* of) {
+  const auto& entry = *rt::find(example::catalogue().shapes<D>(), n.name);
+  const rt::any_shape<D>* inner = of == nullptr ? nullptr : &*in_dimension<D>(*of).solid;
+  shape_in<D> made;
+  if (entry.make) made.solid = entry.make(n.table, inner);
+  if (of == nullptr) {
+    made.wall_of = [&entry, table = n.table](double stiffness) {
+      return entry.make_wall(table, nullptr, stiffness);
+    };
+  } else {
+    made.wall_of = [&entry, table = n.table, inner = *inner](double stiffness) {
+      return entry.make_wall(table, &inner, stiffness);
+    };
+  }
+  return made;
+}
+shape made_shape(const named& n, const shape* of) {
+  if (n.dimension == 2) return {made_in<2>(n, of)};
+  return {made_in<3>(n, of)};
+}
+
+double distance_at(const shape& s, py::handle x) {
+  return std::visit(
+      [&]<int D>(const shape_in<D>& of) {
+        return of.solid->distance(ph::point<D>(vector_from(x, "x", D).data()));
+      },
+      s.in);
+}
+py::array gradient_at(const shape& s, py::handle x) {
+  return std::visit(
+      [&]<int D>(const shape_in<D>& of) -> py::array {
+        return array_of(of.solid->gradient(ph::point<D>(vector_from(x, "x", D).data())));
+      },
+      s.in);
+}
+
+// ---- meshes
+
+// A mesh, and the vertices and facets that it was made of.
+template <int D>
+struct faceted {
+  ph::mesh_parameters<D> given;
+  ph::mesh<D> surface;
+  explicit faceted(ph::mesh_parameters<D> p) : given(std::move(p)), surface(given) {}
+};
+struct mesh {
+  std::variant<faceted<2>, faceted<3>> held;
+  template <class F>
+  auto visit(F&& f) const {
+    return std::visit(std::forward<F>(f), held);
   }
 };
 
-struct world_value final : kind_of_scene<world_value> {
-  explicit world_value(const py::tuple& given) : kind_of_scene(given, "world") {}
-  bool is_one_wall() const override { return false; }
-  template <int D, int Capacity>
-  any_scene<D, Capacity> scene_in() const {
-    return world_of<D, Capacity>(*this);
+template <int D>
+mesh mesh_of(ph::mesh_parameters<D> p) {
+  const py::gil_scoped_release unlocked;
+  return {faceted<D>(std::move(p))};
+}
+template <int D>
+mesh mesh_of_arrays(const py::array_t<double>& vertices, const py::array_t<std::int64_t>& facets) {
+  const auto points = vertices.unchecked<2>();
+  const auto corners = facets.unchecked<2>();
+  ph::mesh_parameters<D> p;
+  p.vertices.resize(static_cast<std::size_t>(points.shape(0)));
+  p.facets.resize(static_cast<std::size_t>(corners.shape(0)));
+  for (std::size_t i = 0; i < p.vertices.size(); ++i)
+    for (int k = 0; k < D; ++k) p.vertices[i][k] = points(py::ssize_t(i), k);
+  for (std::size_t i = 0; i < p.facets.size(); ++i) {
+    for (int k = 0; k < D; ++k) {
+      const std::int64_t index = corners(py::ssize_t(i), k);
+      if (!std::in_range<int>(index))
+        refuse_value("facet " + std::to_string(i) +
+                     " of a mesh: index of a vertex = " + std::to_string(index) +
+                     ", expected 0 or more and less than " + std::to_string(p.vertices.size()));
+      p.facets[i][static_cast<std::size_t>(k)] = static_cast<int>(index);
+    }
   }
+  return mesh_of<D>(std::move(p));
+}
 
-  static std::vector<std::string> names() { return {"walls"}; }
-  static world_value made(const py::dict& given, const std::string& name) {
-    if (!given.contains("walls")) refuse_type("a world needs walls: world([wall(shape, stiffness), ...])");
-    if (given.size() > 1) refuse_type(name + " has one parameter, walls");
-    const py::object list = given["walls"];
-    if (!PyList_Check(list.ptr()) && !PyTuple_Check(list.ptr()))
-      refuse_type("walls = " + shown(list) + ", expected a list of walls");
-    return world_value(py::tuple(list));
+template <class T, class Rows>
+py::array rows_as_array(const Rows& rows, int width) {
+  py::array_t<T> all({py::ssize_t(rows.size()), py::ssize_t(width)});
+  auto at = all.template mutable_unchecked<2>();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (int k = 0; k < width; ++k) at(py::ssize_t(i), k) = rows[i][std::size_t(k)];
+  return all;
+}
+
+// The mesh of a file, and remarks on the file.
+py::tuple read_mesh(const std::string& format, const py::bytes& path, double metres_per_unit) {
+  const auto read = format == "stl" ? &ph::read_stl : format == "ply" ? &ph::read_ply : &ph::read_obj;
+  const std::string name = path;
+  ph::mesh_file file;
+  {
+    const py::gil_scoped_release unlocked;
+    file = read(name, metres_per_unit);
   }
-  using kind_of_scene::made;
-  py::dict parameters() const {
-    py::dict all;
-    all["walls"] = py::list(walls);
-    return all;
-  }
-  py::dict changed() const { return parameters(); }
-};
+  return py::make_tuple(mesh_of<3>(std::move(file.mesh)), file.remarks);
+}
 
-struct held_scene_value final : kind_of_scene<held_scene_value> {
-  py::object of;  // The scene.
-  ph::hold_parameters table;
+shape solid_of(const mesh& m) {
+  return m.visit([]<int D>(const faceted<D>& of) -> shape {
+    const ph::mesh_solid<D> solid(of.surface);
+    return {shape_in<D>{rt::any_shape<D>(solid),
+                        [solid](double stiffness) { return ph::any_wall<D>(ph::wall(solid, stiffness)); }}};
+  });
+}
+shape surface_of(const mesh& m, double skin, double crease_angle) {
+  return m.visit([&]<int D>(const faceted<D>& of) -> shape {
+    ph::mesh_surface_parameters<D> p{of.surface};
+    p.skin = skin;
+    p.crease_angle = crease_angle;
+    const ph::mesh_surface<D> surface(p);
+    return {shape_in<D>{
+        std::nullopt, [surface](double stiffness) { return ph::any_wall<D>(ph::wall(surface, stiffness)); }}};
+  });
+}
 
-  held_scene_value(const py::object& held_one, const ph::hold_parameters& p)
-      : kind_of_scene(py::cast<const scene&>(held_one).walls, "held_scene"), of(held_one), table(p) {}
-  const scene& held_one() const { return py::cast<const scene&>(of); }
-  bool is_one_wall() const override { return held_one().is_one_wall(); }
-  template <int D, int Capacity>
-  any_scene<D, Capacity> scene_in() const {
-    auto inner = held_one().made(std::type_identity<any_scene<D, Capacity>>());
-    return any_scene<D, Capacity>(std::make_unique<held<D, Capacity>>(std::move(inner), table.period));
-  }
-
-  static std::vector<std::string> names() { return {"scene", "period"}; }
-  static held_scene_value made(const py::dict& given, const std::string& name) {
-    if (!given.contains("scene")) refuse_type("a held_scene needs a scene: held_scene(scene, period)");
-    const py::object of = given["scene"];
-    expect<scene>(of, "scene", "a scene: held_scene(scene(wall(shape, stiffness)), period)");
-    if (py::isinstance<held_scene_value>(of))
-      refuse_type("scene of a held_scene is a held_scene itself, expected one that is not held");
-    if (!py::cast<const scene&>(of).effects().empty())
-      refuse_type("scene of a held_scene has effects, expected with_effects(held_scene(...), ...)");
-    if (!given.contains("period")) refuse_type("a held_scene needs a period [s]: held_scene(scene, period)");
-    const py::dict others = given.attr("copy")();
-    others.attr("pop")("scene");
-    ph::hold_parameters p;
-    assign_members(p, others, name);
-    ph::require_no_error(ph::validate(p));
-    return held_scene_value(of, p);
-  }
-  using kind_of_scene::made;
-  py::dict parameters() const {
-    py::dict all;
-    all["scene"] = of;
-    all["period"] = table.period;
-    return all;
-  }
-  py::dict changed() const { return parameters(); }
-};
-
-std::unique_ptr<scene> made_scene(const py::tuple& walls) { return std::make_unique<scene_value>(walls); }
-
-void bind_scene(py::module_& module) {
-  py::class_<scene>(module, "scene",
-                    "(*walls: wall)\n\nWalls, numbered from 0 in their order. Several walls, or a "
-                    "mesh_surface, are a world.")
-      .def(py::init([](const py::args& walls) { return made_scene(walls); }))
-      .def_readonly("walls", &scene::walls, "tuple[wall, ...]: The walls.")
-      .def_property_readonly("dimension", &scene::dimension, "int: 2 in the plane, 3 in space.")
-      .def("__repr__",
-           [](const scene& s) {
-             std::string text;
-             for (const auto& w : s.walls) text += (text.empty() ? "" : ", ") + std::string(py::repr(w));
-             return "scene(" + text + ")";
+void bind_meshes(py::module_& module) {
+  py::class_<mesh>(module, "mesh")
+      .def(py::init([](const py::array_t<double>& vertices, const py::array_t<std::int64_t>& facets) {
+        return vertices.shape(1) == 2 ? mesh_of_arrays<2>(vertices, facets)
+                                      : mesh_of_arrays<3>(vertices, facets);
+      }))
+      .def("vertices",
+           [](const mesh& m) {
+             return m.visit(
+                 []<int D>(const faceted<D>& of) { return rows_as_array<double>(of.given.vertices, D); });
            })
-      .def("__eq__",
-           [](const scene& s, const py::object& other) -> py::object {
-             const auto* theirs = py::isinstance<scene>(other) ? &py::cast<const scene&>(other) : nullptr;
-             if (dynamic_cast<const scene_value*>(theirs) == nullptr)
-               return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-             return py::bool_(s.walls.equal(theirs->walls));
+      .def("facets",
+           [](const mesh& m) {
+             return m.visit(
+                 []<int D>(const faceted<D>& of) { return rows_as_array<int>(of.given.facets, D); });
            })
-      .def(py::pickle([](const scene& s) { return s.walls; },
-                      [](const py::tuple& walls) { return made_scene(walls); }))
-      .attr("__hash__") = py::none();
+      .def("closed", [](const mesh& m) { return m.visit([](auto& of) { return of.surface.closed(); }); })
+      .def("hole",
+           [](const mesh& m) { return m.visit([](auto& of) { return std::string(of.surface.hole()); }); })
+      .def("turned_edges",
+           [](const mesh& m) { return m.visit([](auto& of) { return of.surface.turned_edges(); }); })
+      .def("content", [](const mesh& m) { return m.visit([](auto& of) { return of.surface.content(); }); })
+      .def("plausibility", [](const mesh& m, double reach) {
+        return m.visit([&](auto& of) { return ph::plausibility(of.surface, reach); });
+      });
+  module.def("read_mesh", &read_mesh);
+  module.def("mesh_solid", &solid_of);
+  module.def("mesh_surface", &surface_of);
+}
+
+// ---- walls and scenes
+
+wall made_wall(const shape& s, double stiffness) {
+  return std::visit(
+      [&]<int D>(const shape_in<D>& of) -> wall {
+        wall_in<D> made{of.wall_of(stiffness), std::nullopt};
+        if (of.solid) made.solid.emplace(*of.solid, stiffness);
+        return {made};
+      },
+      s.in);
+}
+
+template <int D>
+rt::any_scene<D> scene_in(const std::vector<wall>& walls, bool is_world) {
+  if (const auto& first = in_dimension<D>(walls.front()); walls.size() == 1 && first.solid && !is_world)
+    return rt::any_scene<D>(ph::scene(*first.solid));
+  ph::world_walls<D> all;
+  for (const wall& w : walls) all.add(in_dimension<D>(w).any);
+  return rt::any_scene<D>(ph::world<D>(all));
+}
+scene made_scene(const std::vector<wall>& walls, bool is_world) {
+  if (walls.front().in.index() == 0) return {scene_in<2>(walls, is_world)};
+  return {scene_in<3>(walls, is_world)};
+}
+
+// As held_scene takes it: without a time.
+template <int D>
+struct sampled {
+  static constexpr int dimension = D;
+  using contacts_type = typename rt::any_scene<D>::contacts_type;
+  rt::any_scene<D> of;
+  const contacts_type& touched_at(const ph::point<D>& x) { return of.touched_at(x, 0); }
+  void set_margin(double margin) { of.set_margin(margin); }
+  void reset() { of.reset(); }
+};
+scene held(const scene& of, double period) {
+  if (const auto* plane = std::get_if<rt::any_scene<2>>(&of.held))
+    return {rt::any_scene<2>(ph::held_scene<sampled<2>>({*plane}, period))};
+  return {rt::any_scene<3>(ph::held_scene<sampled<3>>({std::get<rt::any_scene<3>>(of.held)}, period))};
+}
+
+effect made_effect(const named& n) {
+  effect made;
+  if (n.dimension != 3)
+    made.in_the_plane = rt::find(example::catalogue().effects<2>(), n.name)->make(n.table);
+  if (n.dimension != 2) made.in_space = rt::find(example::catalogue().effects<3>(), n.name)->make(n.table);
+  return made;
+}
+
+template <int D>
+scene beside(const scene& of, const std::vector<effect>& effects) {
+  std::vector<rt::any_effect<D>> all;
+  for (const effect& e : effects) {
+    const auto& one = [&]() -> const auto& {
+      if constexpr (D == 2) return e.in_the_plane;
+      else return e.in_space;
+    }();
+    if (!one)
+      refuse_value("effect " + std::to_string(all.size()) + " of the scene has vectors of " +
+                   std::to_string(5 - D) + " numbers, expected " + std::to_string(D) + ", as its walls have");
+    all.push_back(*one);
+  }
+  return {rt::any_scene_with_effects<D>(std::get<rt::any_scene<D>>(of.held), all)};
 }
 
 }  // namespace
 
 void bind_scenes(py::module_& module) {
-  bind_scene(module);
-  py::class_<world_value, scene> world(
-      module, "world",
-      "(walls: Sequence[wall])\n\nMany walls, numbered from 0 in their order, of which a cycle looks at "
-      "those "
-      "that the handle can have reached since it last looked. At most d + 1 contacts, those of the largest "
-      "forces. With a mesh among them all walls are felt as one surface. For a law that takes several "
-      "walls.");
-  add_value_protocol(world, "world");
-  py::class_<held_scene_value, scene> held_one(
-      module, "held_scene",
-      "(scene: scene, period: float)\n\nA scene that is sampled once a period [s] and held between: a "
-      "virtual environment that is slower than the loop of the brakes. 0 samples every time.");
-  add_value_protocol(held_one, "held_scene");
+  py::class_<shape>(module, "shape")
+      .def(py::init([](const named& n) { return made_shape(n, nullptr); }))
+      .def(py::init([](const named& n, const shape& of) { return made_shape(n, &of); }))
+      .def("distance", &distance_at)
+      .def("gradient", &gradient_at)
+      .def("dimension", [](const shape& s) { return static_cast<int>(s.in.index()) + 2; });
+  bind_meshes(module);
+  py::class_<wall>(module, "wall").def(py::init(&made_wall));
+  py::class_<effect>(module, "effect").def(py::init(&made_effect));
+  py::class_<scene>(module, "scene").def(py::init(&made_scene));
+  module.def("held_scene", &held);
+  module.def("with_effects", [](const scene& of, const std::vector<effect>& effects) {
+    return std::holds_alternative<rt::any_scene<2>>(of.held) ? beside<2>(of, effects)
+                                                             : beside<3>(of, effects);
+  });
 }
 
 }  // namespace passive_haptics_python

@@ -1,6 +1,6 @@
 """Haptic devices with brakes in place of motors: the C++ library passive_haptics from Python.
 
-A controller is made of a mechanism, its brakes, a scene and a law, and called once a cycle or for many states at once:
+A controller is made of a mechanism, its brakes, a scene and a law, and called once a cycle or for many states in one call:
 
     arm = passive_haptics.tendon_two_link()
     wall = passive_haptics.wall(passive_haptics.half_space([0, 0.225], [0, -1]))
@@ -10,24 +10,72 @@ A controller is made of a mechanism, its brakes, a scene and a law, and called o
     result = control(passive_haptics.device_state(time=0, q=[0.7, 0.8], qd=[0.1, 0], hand_force=[0, 2]))
 """
 
-import os
+from __future__ import annotations
 
-from passive_haptics._native import *
+import importlib
+import os
+from typing import Any
+
+from passive_haptics import catalogue as _catalogue
 from passive_haptics._native import __version__ as __version__
-from passive_haptics.chains import nearest_pose as nearest_pose
-from passive_haptics.chains import planar_arm as planar_arm
-from passive_haptics.logs import motion_log as motion_log
-from passive_haptics.logs import read_log as read_log
-from passive_haptics.logs import write_log as write_log
-from passive_haptics.results import contact_metrics as contact_metrics
-from passive_haptics.results import contact_report as contact_report
-from passive_haptics.results import display_class as display_class
-from passive_haptics.results import power_class as power_class
-from passive_haptics.results import run_end as run_end
-from passive_haptics.results import status as status
-from passive_haptics.results import wall_limits as wall_limits
+from passive_haptics._native import device_state, step_result
+from passive_haptics.catalogue import *
+from passive_haptics.catalogue_values import brake_model, effect, law, shape
+from passive_haptics.chains import nearest_pose, planar_arm
+from passive_haptics.controllers import batch_result, controller
+from passive_haptics.device_file import device_description, load
+from passive_haptics.devices import brakes, mechanism, serial_chain
+from passive_haptics.logs import motion_log, read_log, write_log
+from passive_haptics.python_mechanism import python_mechanism
+from passive_haptics.results import (
+    contact_metrics,
+    contact_report,
+    display_class,
+    displayable_force,
+    power_class,
+    run_end,
+    status,
+    wall_limits,
+)
+from passive_haptics.scenes import (
+    held_scene,
+    mesh,
+    mesh_solid,
+    mesh_surface,
+    read_obj,
+    read_ply,
+    read_stl,
+    scene,
+    wall,
+    with_effects,
+    world,
+)
+from passive_haptics.simulations import follow_wall, following_hand, limits_of, simulated_device
+
+__all__ = [
+    *_catalogue.__all__, "batch_result", "brake_model", "brakes", "contact_metrics", "contact_report", "controller",
+    "device_description", "device_state", "display_class", "displayable_force", "effect", "follow_wall", "following_hand",
+    "held_scene", "include_folders", "law", "limits_of", "load", "mechanism", "mesh", "mesh_solid", "mesh_surface",
+    "motion_log", "nearest_pose", "planar_arm", "power_class", "python_mechanism", "read_log", "read_obj", "read_ply",
+    "read_stl", "run_end", "scene", "serial_chain", "shape", "simulated_device", "status", "step_result", "wall",
+    "wall_limits", "with_effects", "world", "write_log",
+]  # fmt: skip
 
 
 def include_folders() -> list[str]:
-    """The folders of the headers with which a mechanism of your own is bound: of this library, and of Eigen."""
+    """The folders of the headers with which a mechanism of your own is added: of this library, and of Eigen."""
     return [os.path.join(os.path.dirname(__file__), "include"), "/usr/include/eigen3"]
+
+
+_LATER = ["plots", "map_plots", "run_plots", "sweep", "producible_forces"]
+
+
+def __dir__() -> list[str]:
+    return [*globals(), *_LATER]
+
+
+def __getattr__(name: str) -> Any:
+    """The modules of pictures and sweeps, which are imported by their first use."""
+    if name in _LATER:
+        return importlib.import_module(f"passive_haptics.{name}")
+    raise AttributeError(f"module 'passive_haptics' has no attribute {name!r}")

@@ -1,30 +1,26 @@
 """Serial chains by their usual shapes, and their inverse kinematics."""
 
 import collections.abc
-from typing import Union
 
 import numpy as np
 
-from passive_haptics import _native
 from passive_haptics.arrays import Array, Numbers
+from passive_haptics.devices import mechanism, serial_chain
 from passive_haptics.results import status
 
-PlanarArm = Union[_native.planar_chain_3, _native.planar_chain_4]
 
-
-def planar_arm(lengths: collections.abc.Sequence[float]) -> PlanarArm:
-    """A planar arm of three or four revolute joints, all its links [m] along x in the zero pose."""
-    kinds: dict[int, type[PlanarArm]] = {3: _native.planar_chain_3, 4: _native.planar_chain_4}
-    if len(lengths) not in kinds:
-        raise ValueError(f"passive_haptics: length of lengths = {len(lengths)}, expected 3 or 4")
+def planar_arm(lengths: collections.abc.Sequence[float]) -> serial_chain:
+    """A planar arm of two to four revolute joints, all its links [m] along x in the zero pose."""
+    if len(lengths) not in (2, 3, 4):
+        raise ValueError(f"passive_haptics: length of lengths = {len(lengths)}, expected 2, 3 or 4")
     joints, reached = [], 0.0
     for length in lengths:
         joints.append({"point": [reached, 0.0]})
         reached += length
-    return kinds[len(lengths)](joints=joints, handle=[reached, 0.0])
+    return serial_chain(joints=joints, handle=[reached, 0.0])
 
 
-def nearest_pose(mechanism: _native.mechanism, x: Numbers, start: Numbers) -> tuple[Array, status]:
+def nearest_pose(mechanism: mechanism, x: Numbers, start: Numbers) -> tuple[Array, status]:
     """Joint positions that put the end effector at x [m], few turns away from `start`, and whether it is in reach.
 
     For mechanisms without an inverse() of their own, such as chains. By damped least-squares steps (Levenberg,

@@ -123,7 +123,7 @@ def read_log(path: Path) -> motion_log:
     """
     name = os.fspath(path)
     open(name, "rb").close()
-    names, units, columns = _native._read_log(os.fsencode(name), name)
+    names, units, columns = _native.read_log(os.fsencode(name), name)
     values = [column if unit else np.array(column, dtype=str) for column, unit in zip(columns, units)]
     return motion_log(dict(zip(names, values)), dict(zip(names, units)))
 
@@ -146,7 +146,7 @@ def write_log(
     part = f"{target}.{os.getpid()}.part"
     try:
         _write(part, log)
-        _native._check_log(os.fsencode(part), name, list(log), list(log.units.values()), _lines(log, slice(None)))
+        _native.check_log(os.fsencode(part), name, list(log), list(log.units.values()), _lines(log, slice(None)))
         if os.path.exists(target):
             shutil.copymode(target, part)
         os.replace(part, target)
@@ -160,7 +160,7 @@ def _write(part: str, log: motion_log) -> None:
     with open(part, "wb") as file:
         for first in range(0, max(log.line_count, 1), LINES_AT_ONCE):
             lines = _lines(log, slice(first, first + LINES_AT_ONCE))
-            file.write(_native._log_text(names, units, lines, first == 0))
+            file.write(_native.log_text(names, units, lines, first == 0))
         file.flush()
         os.fsync(file.fileno())
 
@@ -171,13 +171,13 @@ def _lines(log: motion_log, which: slice) -> list[Any]:
 
 def _parts(name: str, count: int) -> list[str]:
     """The names of so many columns of one name, of axes at most three."""
-    if _native._is_along_axes(name):
+    if _native.is_along_axes(name):
         return [name + axis for axis in AXES[:count]]
     return [f"{name}{i + 1}" for i in range(count)]
 
 
 def _usual_unit(name: str, values: NDArray[Any]) -> str:
-    known, is_words = _native._unit_of_column(name), values.dtype.kind == "U"
+    known, is_words = _native.unit_of_column(name), values.dtype.kind == "U"
     if known is not None and is_words == bool(known):
         kinds = ("words", f"numbers [{known}]") if is_words else ("numbers", "words")
         raise _type_error(f"column {name} has {kinds[0]}, expected {kinds[1]}")

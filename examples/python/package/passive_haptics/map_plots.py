@@ -12,7 +12,7 @@ from typing import Any, cast
 import matplotlib.pyplot as plt  # type: ignore[import]
 import numpy as np
 
-from passive_haptics import _native, plots
+from passive_haptics import plots
 from passive_haptics.arrays import Numbers, Records
 from passive_haptics.results import status
 
@@ -31,7 +31,7 @@ def map_over(
     y: Numbers,
     direction: Numbers,
     normal: Numbers,
-    brakes: _native.brake_parameters | None = None,
+    brakes: Any = None,
     push: float = 1.0,
 ) -> Records:
     """The design_map of a device over a grid of places x, y [m], len(y) x len(x): the handle moves in a direction

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from passive_haptics import _native
 from passive_haptics.arrays import Array, Numbers
+from passive_haptics.devices import mechanism
 
 Parameters = collections.abc.Mapping[str, Any]
 
@@ -71,24 +71,17 @@ def _chain(p: Parameters, q: Array, handle: Array) -> planar_geometry:
     return _serial([*points, handle])
 
 
-def _chain_with_inertia(p: Parameters, q: Array, handle: Array) -> planar_geometry:
-    return _chain(p["geometry"], q, handle)
-
-
 _geometries: dict[str, collections.abc.Callable[[Parameters, Array, Array], planar_geometry]] = {
     "two_link": _two_link,
     "tendon_two_link": _two_link,
     "xy_table": _xy_table,
     "five_bar": _five_bar,
     "five_bar_with_four_brakes": _five_bar,
-    "planar_chain_3": _chain,
-    "planar_chain_4": _chain,
-    "planar_chain_3_with_inertia": _chain_with_inertia,
-    "planar_chain_4_with_inertia": _chain_with_inertia,
+    "serial_chain": _chain,
 }
 
 
-def geometry_of(device: _native.mechanism, q: Numbers) -> planar_geometry:
+def geometry_of(device: mechanism, q: Numbers) -> planar_geometry:
     """Where the parts of a planar device of this package are at joint positions q [rad or m].
 
     Throws ValueError for another device, and for a pose that the device cannot take.

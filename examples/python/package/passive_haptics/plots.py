@@ -19,8 +19,8 @@ import numpy as np
 from matplotlib import patheffects
 from matplotlib.patches import Polygon  # type: ignore[import]
 
-from passive_haptics import _native
 from passive_haptics.arrays import Array, Numbers
+from passive_haptics.devices import mechanism
 from passive_haptics.planar_geometry import geometry_of
 from passive_haptics.producible_forces import (
     nearest_producible,
@@ -50,7 +50,7 @@ HALO = [patheffects.withStroke(linewidth=2.5, foreground="white")]
 
 
 def draw_passive_fmes(
-    device: _native.mechanism,
+    device: mechanism,
     q: Numbers,
     axes: Axes | None = None,
     *,
@@ -90,7 +90,7 @@ def draw_passive_fmes(
     return axes
 
 
-def draw_device(device: _native.mechanism, q: Numbers, axes: Axes | None = None, *, colour: str = INK) -> Axes:
+def draw_device(device: mechanism, q: Numbers, axes: Axes | None = None, *, colour: str = INK) -> Axes:
     """A planar device at joint positions q [rad or m], to scale: its links, joints, bases and handle.
 
     On axes of its own the picture takes in all of the device; on given axes their limits grow to it. Throws

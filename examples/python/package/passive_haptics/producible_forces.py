@@ -9,8 +9,8 @@ from typing import Any, Optional
 
 import numpy as np
 
-from passive_haptics import _native
 from passive_haptics.arrays import Array, Numbers
+from passive_haptics.devices import mechanism
 from passive_haptics.results import display_class, status
 
 COARSE = 72
@@ -90,7 +90,7 @@ def _direction_nearest(device: Any, q: Numbers, velocity: Numbers, angle: float,
 
 
 def nearest_producible(
-    device: _native.mechanism, q: Numbers, velocity: Numbers, desired_force: Numbers
+    device: mechanism, q: Numbers, velocity: Numbers, desired_force: Numbers
 ) -> force_towards:
     """The force nearest to the desired one [N] that brakes without limits can make while the handle moves
     with a velocity, whose direction counts [m/s]; (0, pi / 2) where there is none. Throws ValueError for a
@@ -107,7 +107,7 @@ def nearest_producible(
     return force_towards(float(Fd @ _unit(nearest)) * _unit(nearest), abs(nearest - angle))
 
 
-def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers) -> Array:
+def producible_outline(device: mechanism, q: Numbers, velocity: Numbers) -> Array:
     """Closed outline [N], K x 2, of the forces that brakes of 1 N m (of 1 N on slides) can make along each
     direction by force approximation, while the handle moves with a velocity, whose direction counts [m/s].
     Seen from 0, each direction is met once. Cost: some thousand calls of displayable."""
@@ -134,7 +134,7 @@ def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers)
     return np.concatenate([outline, outline[:1]])
 
 
-def passive_fmes(device: _native.mechanism, q: Numbers) -> list[passive_fme]:
+def passive_fmes(device: mechanism, q: Numbers) -> list[passive_fme]:
     """The passive FMEs of a planar device at joint positions q [rad or m].
 
     Two brakes on two joints: those of the paper, forces of torques whose norm is 1 N m, four quarters of an

@@ -7,6 +7,8 @@ import time
 
 AFTER = 2.0
 """A call that takes longer shows its progress [s]."""
+BETWEEN = 0.2
+"""Between two updates of reach() [s]."""
 
 
 class progress_line:
@@ -17,16 +19,29 @@ class progress_line:
         self._total, self._of, self._done = total, of, 0
         self._wanted = sys.stderr.isatty() if wanted is None else wanted
         self._start = time.monotonic()
-        self._width = 0
+        self._width, self._shown = 0, self._start
 
     def add(self, count: int) -> None:
         """So many more are completed."""
         self._done += count
         self.show()
 
+    def reach(self, done: int) -> None:
+        """So many are completed now; shows it a few times a second at most."""
+        self._done = done
+        if time.monotonic() - self._shown > BETWEEN:
+            self.show()
+
+    def __enter__(self) -> progress_line:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
     def show(self) -> None:
         """Prints the line where the call takes long enough."""
-        passed = time.monotonic() - self._start
+        self._shown = time.monotonic()
+        passed = self._shown - self._start
         if not self._wanted or passed < AFTER:
             return
         text = f"{self._done} of {self._total} {self._of}"

@@ -1,9 +1,15 @@
 """Enumerations and tuples of results; the numbers are those of arrays that a batch returns."""
 
+from __future__ import annotations
+
 import enum
 import typing
+from typing import Union
+
+import numpy as np
 
 from passive_haptics import _native
+from passive_haptics.arrays import Array, Integers
 
 
 class status(enum.IntEnum):
@@ -66,6 +72,28 @@ class contact_report(typing.NamedTuple):
     """Normal force that is commanded [N]."""
     has_priority: bool
     """The hand is leaving this wall, and the law gives way: met before others."""
+
+
+class displayable_force(typing.NamedTuple):
+    """The force that brakes can display along the normal of a wall, of one pose or, in arrays, of N."""
+
+    outcome: Union[status, Integers]
+    """ok, or why nothing is known."""
+    display: Union[display_class, Integers]
+    """How a force along the normal is displayed."""
+    angle: Union[float, Array]
+    """gamma [rad] between the normal and the nearest force."""
+    max_force: Union[float, Array]
+    """The maximum along the normal [N] of all forces."""
+    max_approximated_force: Union[float, Array]
+    """The maximum along the normal [N] of the nearest force."""
+    signs: Array
+    """s of the brakes in this motion, m or N x m."""
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, displayable_force):
+            return NotImplemented
+        return all(np.array_equal(a, b, equal_nan=True) for a, b in zip(self, other))
 
 
 class wall_limits(typing.NamedTuple):

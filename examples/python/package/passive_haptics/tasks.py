@@ -15,7 +15,7 @@ import traceback
 import typing
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import closing, contextmanager
-from typing import Optional, Union
+from typing import Any, Optional, Union
 
 from passive_haptics.progress import progress_line
 
@@ -28,14 +28,14 @@ PARENT_PERIOD = 1.0
 class outcome(typing.NamedTuple):
     """What became of an experiment: its pickled result, or the text of its exception."""
 
-    seed: int
+    seed: Union[int, bytes]
     result: Optional[bytes]
     failure: str = ""
 
 
-Experiment = collections.abc.Callable[[int], object]
+Experiment = collections.abc.Callable[[Any], object]
 """A function of a seed."""
-Task = collections.abc.Sequence[int]
+Task = collections.abc.Sequence[Union[int, bytes]]
 """The seeds of experiments that one process runs."""
 _Completed = tuple[Task, Union[list[outcome], BaseException]]
 
@@ -53,7 +53,7 @@ def run_task(function: Experiment, seeds: Task) -> list[outcome]:
 
 
 def completed_outcomes(
-    function: Experiment, tasks: list[list[int]], executor: Executor | None, shown: progress_line
+    function: Experiment, tasks: list[list[Union[int, bytes]]], executor: Executor | None, shown: progress_line
 ) -> collections.abc.Generator[list[outcome], None, None]:
     """The outcomes of tasks, as they are completed."""
     completed = (
@@ -113,7 +113,7 @@ def _by_executor(
 
 
 def _by_processes(
-    function: Experiment, tasks: list[list[int]], shown: progress_line
+    function: Experiment, tasks: list[list[Union[int, bytes]]], shown: progress_line
 ) -> collections.abc.Generator[_Completed, None, None]:
     """Tasks by processes of this machine. If one of them dies, a new pool goes on, and the tasks that were
     lost run by themselves."""

@@ -1,0 +1,231 @@
+"""Controllers, and the states and results of their cycles."""
+
+from __future__ import annotations
+
+import collections.abc
+from typing import Any, Literal, Optional
+
+import numpy as np
+
+from passive_haptics import _native
+from passive_haptics._native import device_state, step_result
+from passive_haptics.arrays import Array
+from passive_haptics.catalogue_values import law
+from passive_haptics.devices import brakes, mechanism
+from passive_haptics.scenes import _any_scene
+from passive_haptics.values import expect, value
+
+_KINDS = {"outcome": "i4", "power": "i4", "display": "i4", "wall_number": "i4", "saturated": "?"}
+FIELDS: dict[str, str] = dict(_native.BATCH_FIELDS)
+"""Names of the results of a batch: 'm' numbers for the brakes, 'd' for the task dimensions, or '1'."""
+
+
+class batch_result:
+    """What batch() stores: an array for each member of step_result that was asked for, a row or a number for each state.
+
+    outcome, power and display are whole numbers, of status, power_class and display_class.
+    """
+
+    def __init__(self, arrays: dict[str, Any]) -> None:
+        self.__dict__.update(arrays)
+
+    def __getattr__(self, name: str) -> Array:
+        if name in FIELDS:
+            raise AttributeError(
+                f"passive_haptics: {name} of a batch_result was not asked for, expected one of {', '.join(vars(self))}; "
+                f"call batch(..., fields=[{name!r}])"
+            )
+        raise AttributeError(f"passive_haptics: a batch_result has no {name}, expected one of {', '.join(vars(self))}")
+
+    def __len__(self) -> int:
+        """N."""
+        return len(self.capacity)
+
+    def __repr__(self) -> str:
+        return f"<batch_result of {len(self)} states: {', '.join(vars(self))}>"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, batch_result):
+            return NotImplemented
+        mine, theirs = vars(self), vars(other)
+        return mine.keys() == theirs.keys() and all(
+            of.shape == theirs[key].shape and of.tobytes() == theirs[key].tobytes() for key, of in mine.items()
+        )
+
+    def __getstate__(self) -> dict[str, Any]:
+        return vars(self)
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+
+class controller(value):
+    """A mechanism, its brakes, a scene and a law, called once a cycle or for many states in one call.
+
+    A pickled controller remembers nothing of its motion.
+
+    Parameters
+    ----------
+    mechanism, brakes, scene, law
+        The parts.
+    max_approximation_angle : float [rad]
+        If the angle between desired and nearest force is larger, nothing is displayed; default 89 degrees.
+    limits : {keep_direction, clamp_each}
+        What gives way at a torque limit.
+    """
+
+    def __init__(
+        self,
+        mechanism: mechanism,
+        brakes: brakes,
+        scene: _any_scene,
+        law: law,
+        max_approximation_angle: Optional[float] = None,
+        limits: Literal["keep_direction", "clamp_each"] = "keep_direction",
+    ) -> None:
+        expect(mechanism, _mechanism, "mechanism", "a mechanism such as two_link()")
+        known = mechanism._brakes(brakes) if brakes is not None else expect(brakes, _brakes, "brakes", "mechanism.brakes()")
+        expect(scene, _any_scene, "scene", "a scene: scene(wall(shape, stiffness))")
+        expect(law, _law, "law", "a law such as direct_control()")
+        if scene.dimension != mechanism.task_dimension:
+            raise ValueError(
+                f"passive_haptics: scene has dimension {scene.dimension}, expected {mechanism.task_dimension}, the task "
+                "dimension of the mechanism"
+            )
+        given = {"limits": limits}
+        if max_approximation_angle is not None:
+            given["max_approximation_angle"] = max_approximation_angle  # type: ignore[assignment]
+        options = _native.named("table", "controller", 0, given)
+        self._parameters = {"mechanism": mechanism, "brakes": brakes, "scene": scene, "law": law, **options.parameters()}
+        self._held = _native.controller(mechanism._held, known, scene._held, law._held, options)
+
+    def __call__(self, state: device_state) -> step_result:
+        """One control cycle."""
+        try:
+            result: step_result = self._held.step(state)
+            return result
+        except TypeError:
+            expect(state, device_state, "state", "a device_state")
+            raise
+
+    def batch(
+        self,
+        q: Array,
+        qd: Array,
+        hand_force: Optional[Array] = None,
+        time: Optional[Array] = None,
+        *,
+        fields: Optional[collections.abc.Iterable[str]] = None,
+        out: Optional[batch_result] = None,
+    ) -> batch_result:
+        """The cycle of N states, each the first of a motion. Python's lock is released.
+
+        Parameters
+        ----------
+        q, qd : N x n
+            Joint positions [rad or m] and rates.
+        hand_force : N x d [N]
+            Base frame; None without a force sensor.
+        time : N [s]
+        fields : names
+            Results to store in addition to capacity and outcome; None: all, or all of `out`.
+        out : batch_result
+            An earlier result of as many states, with arrays that are written again.
+        """
+        n, d, m = self._held.sizes()
+        if np.ndim(q) != 2 or np.shape(q)[1] != n:
+            raise ValueError(f"passive_haptics: shape of q = {np.shape(q)}, expected (N, {n}), a row for each state")
+        states = np.shape(q)[0]
+        for name, given in (("qd", qd), ("hand_force", hand_force)):
+            if given is not None and (np.ndim(given) != 2 or np.shape(given)[0] != states):
+                raise ValueError(f"passive_haptics: shape of {name} = {np.shape(given)}, expected {states} rows, as q has")
+        if out is not None:
+            expect(out, batch_result, "out", "what batch() returned for as many states")
+        wanted = self._wanted(fields, out)
+        widths = {"m": (m,), "d": (d,), "1": ()}
+        arrays = {} if out is None else vars(out)
+        stored = {}
+        for name in wanted:
+            shape = (states, *widths[FIELDS[name]])
+            stored[name] = arrays[name] if name in arrays else np.empty(shape, _KINDS.get(name, "f8"))
+            if stored[name].shape != shape:
+                raise ValueError(
+                    f"passive_haptics: shape of out.{name} = {stored[name].shape}, expected {shape}: pass a result of as many "
+                    "states of this device"
+                )
+            if not stored[name].flags.writeable:
+                raise ValueError(f"passive_haptics: out.{name} is read-only, expected an array that can be written")
+            for input_name, given in (("q", q), ("qd", qd), ("hand_force", hand_force), ("time", time)):
+                if out is not None and given is not None and np.may_share_memory(given, stored[name]):
+                    raise ValueError(
+                        f"passive_haptics: {input_name} shares memory with out.{name}, expected other memory: pass "
+                        f"{input_name}.copy()"
+                    )
+        self._held.batch(q, qd, hand_force, time, stored)
+        if out is None:
+            return batch_result(stored)
+        out.__dict__.update(stored)
+        return out
+
+    @staticmethod
+    def _wanted(fields: Optional[collections.abc.Iterable[str]], out: Optional[batch_result]) -> list[str]:
+        if fields is None:
+            return [*FIELDS] if out is None else [name for name in FIELDS if name in vars(out)]
+        if isinstance(fields, str):
+            raise TypeError(f"passive_haptics: fields = {fields!r} (str), expected a list of names, [{fields!r}]")
+        names = list(fields)
+        for name in names:
+            if name not in FIELDS:
+                raise ValueError(f"passive_haptics: fields has {name!r}, expected names among {', '.join(FIELDS)}")
+        return [name for name in FIELDS if name in (*names, "capacity", "outcome")]
+
+    def set_brakes(self, brakes: brakes) -> None:
+        """Other brakes of the device from the next cycle on, such as some that are off. What the law remembers stays."""
+        if brakes is None:
+            expect(brakes, _brakes, "brakes", "what brakes() of the mechanism returns")
+        self._held.set_brakes(self._parameters["mechanism"]._brakes(brakes))
+        self._parameters = {**self._parameters, "brakes": brakes}
+
+    def reset(self) -> None:
+        """Forgets the motion so far, and the scene the handle."""
+        self._held.reset()
+
+
+_mechanism = mechanism
+_brakes = brakes
+_law = law
+
+
+def _contents(self: Any) -> dict[str, Any]:
+    names = [name for name, of in vars(type(self)).items() if isinstance(of, property)]
+    found = {name: getattr(self, name) for name in names}
+    return {name: of.tolist() if isinstance(of, np.ndarray) else of for name, of in found.items()}
+
+
+def _show(self: Any) -> str:
+    return f"{type(self).__name__}({', '.join(f'{key}={of!r}' for key, of in _contents(self).items())})"
+
+
+def _same_bits(self: Any, other: object) -> bool:
+    if type(self) is not type(other):
+        return NotImplemented
+    return _bits(self) == _bits(other)
+
+
+def _bits(of: Any) -> list[Any]:
+    """All values, numbers as their bytes: NaN equals itself."""
+    values = (getattr(of, name) for name, each in vars(type(of)).items() if isinstance(each, property))
+    return [np.asarray(each).tobytes() if isinstance(each, (float, np.ndarray)) else each for each in values]
+
+
+def _result_of(content: bytes) -> step_result:
+    """A pickled step_result."""
+    result: step_result = step_result.from_bytes(content)
+    return result
+
+
+for _kind in (device_state, step_result):
+    for _name, _of in {"__module__": "passive_haptics", "__repr__": _show, "__eq__": _same_bits, "__hash__": None}.items():
+        setattr(_kind, _name, _of)
+setattr(device_state, "__reduce__", lambda self: (device_state, (self.time, self.q, self.qd, self.hand_force)))
+setattr(step_result, "__reduce__", lambda self: (_result_of, (self.to_bytes(),)))

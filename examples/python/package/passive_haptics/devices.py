@@ -1,0 +1,388 @@
+"""Mechanisms and their brakes."""
+
+from __future__ import annotations
+
+import collections.abc
+import math
+from typing import Any, Literal, Optional, Union
+
+import numpy as np
+
+from passive_haptics import _native
+from passive_haptics.arrays import Array, Integers, Numbers, Records, Rows
+from passive_haptics.catalogue_values import LISTS, catalogue_value, law
+from passive_haptics.progress import progress_line
+from passive_haptics.results import displayable_force, display_class, status
+from passive_haptics.values import expect, with_suggestions
+
+MAX_PLACES = 100_000_000
+"""Rows of a design map."""
+FIGURES = np.dtype(
+    [("outcome", "i4"), ("display", "i4"), *((name, "f8") for name in ("cosine", "drag", "max_force", "sink_slope", "isotropy"))]
+)
+"""A row of a design map."""
+Limits = Union[float, Numbers]
+"""One number for all brakes, or one for each."""
+
+
+class brakes(catalogue_value):
+    """The brakes of a device. mechanism.brakes() makes as many as the mechanism has.
+
+    torque_lower = torque_upper = 0: the brake is off. If one of them is 0, the brake works one way.
+
+    Parameters
+    ----------
+    torque_limit, torque_lower, torque_upper : one number for all, or one for each [N m]
+        The limit, and bounds of the signed torque, which default to none.
+    rate_dead_band [rad/s], torque_dead_band [N m] : likewise
+        Below the first a brake is at rest; below the second a hand's torque has no sign.
+    time_constant : likewise [s]
+        Lag of the torque behind its command.
+    count : int
+        The number of brakes, if no other parameter has it.
+    """
+
+    _list = "brakes"
+    _name = "brakes"
+
+    def __init__(
+        self,
+        torque_limit: Optional[Limits] = None,
+        torque_lower: Optional[Limits] = None,
+        torque_upper: Optional[Limits] = None,
+        rate_dead_band: Optional[Limits] = None,
+        torque_dead_band: Optional[Limits] = None,
+        time_constant: Optional[Limits] = None,
+        *,
+        count: Optional[int] = None,
+    ) -> None:
+        given = {key: of for key, of in locals().items() if key != "count"}
+        sizes = [len(of) for of in given.values() if hasattr(of, "__len__") and not isinstance(of, str)]
+        if count is None and not sizes:
+            raise TypeError("passive_haptics: brakes need a number for each brake, [1, 1], or count=2")
+        super().__init__(given, count if count is not None else sizes[0])
+        self._parameters = {key: np.atleast_1d(of).tolist() for key, of in self._parameters.items()}
+
+    @property
+    def count(self) -> int:
+        """The number of brakes, m."""
+        return len(self._parameters["torque_limit"])
+
+
+Brakes = brakes
+"""The class, within the class with a method of this name."""
+
+
+class mechanism(catalogue_value):
+    """A mechanism: joint positions in, end effector out.
+
+    Functions of joint positions q take those of one pose, n numbers, or of N poses as N rows, and return one result
+    or N. q is in [rad], of sliding joints in [m].
+    """
+
+    _list = "mechanism"
+
+    def _made(self) -> Any:
+        return _native.mechanism(self._named)
+
+    @property
+    def dof(self) -> int:
+        """n, the number of joints."""
+        return int(self._held.sizes()[0])
+
+    @property
+    def task_dimension(self) -> int:
+        """d, the size of a position."""
+        return int(self._held.sizes()[1])
+
+    @property
+    def brake_count(self) -> int:
+        """m, the number of brakes."""
+        return int(self._held.sizes()[2])
+
+    @with_suggestions
+    def brakes(
+        self,
+        torque_limit: Optional[Limits] = None,
+        torque_lower: Optional[Limits] = None,
+        torque_upper: Optional[Limits] = None,
+        rate_dead_band: Optional[Limits] = None,
+        torque_dead_band: Optional[Limits] = None,
+        time_constant: Optional[Limits] = None,
+    ) -> Brakes:
+        """The brakes of this device, see the class brakes."""
+        given = {key: of for key, of in locals().items() if key != "self"}
+        return Brakes(**given, count=self.brake_count)
+
+    def _brakes(self, given: Optional[Brakes], unlimited: bool = False) -> Any:
+        """Brakes that must be of this device; without any the defaults, or brakes without limits."""
+        if given is None:
+            return _native.named.unlimited_brakes(self.brake_count) if unlimited else self.brakes()._held
+        expected = "what brakes() of the mechanism returns, for its number of brakes"
+        if expect(given, Brakes, "brakes", expected).count != self.brake_count:
+            raise TypeError(f"passive_haptics: brakes = {given.count} of them, expected {expected}, {self.brake_count}")
+        return given._held
+
+    def position(self, q: Union[Numbers, Rows]) -> Array:
+        """The end effector [m], base frame: d numbers, or N rows of them."""
+        of: Array = self._held.position(q)
+        return of
+
+    def jacobian(self, q: Union[Numbers, Rows]) -> Array:
+        """J in v = J qd [m/rad or 1]: d x n, or N x d x n."""
+        of: Array = self._held.jacobian(q)
+        return of
+
+    def velocity(self, q: Numbers, qd: Numbers) -> Array:
+        """The velocity of the end effector [m/s] at joint rates qd."""
+        rates = np.asarray(qd, dtype=float)
+        if rates.shape != (self.dof,):
+            raise ValueError(f"passive_haptics: shape of qd = {rates.shape}, expected ({self.dof},)")
+        of: Array = self.jacobian(q) @ rates
+        return of
+
+    def brake_rates(self, q: Union[Numbers, Rows], qd: Union[Numbers, Rows]) -> Array:
+        """The rates of the brakes, w = T qd [rad/s or m/s]: m numbers, or N rows of them."""
+        of: Array = self._held.brake_rates(q, qd)
+        return of
+
+    def inverse(
+        self, x: Union[Numbers, Rows], branch: Literal["left", "right"] = "left"
+    ) -> tuple[Array, Union[status, Integers]]:
+        """Joint positions that put the end effector at x [m], and the status, which must be status.ok.
+
+        Parameters
+        ----------
+        x : d numbers [m], or N rows
+            Places.
+        branch : {left, right}
+            Of a two-link arm: the side of the elbow, seen from the base.
+
+        Returns
+        -------
+        q, outcome
+            One pose and its status, or N rows and N whole numbers. Out of reach, q is not x's pose.
+
+        Raises
+        ------
+        TypeError
+            If the mechanism has no inverse of its own: take nearest_pose.
+        """
+        if branch not in ("left", "right"):
+            raise ValueError(f"passive_haptics: branch = {branch!r}, expected 'left' or 'right'")
+        found = self._held.inverse(x, branch == "right")
+        if found is None:
+            kind = type(self).__name__
+            raise TypeError(f"passive_haptics: a {kind} has no inverse, expected nearest_pose(mechanism, x, start)")
+        q, outcome = found
+        return q, status(int(outcome)) if outcome.ndim == 0 else outcome
+
+    def brake_signs(
+        self, q: Numbers, qd: Numbers, hand_force: Optional[Numbers] = None, brakes: Optional[Brakes] = None
+    ) -> Array:
+        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
+        of: Array = self._held.brake_signs(q, qd, hand_force, self._brakes(brakes))
+        return of
+
+    def recommended_law(self, brakes: Optional[Brakes] = None) -> law:
+        """The law for a device with a force sensor if its user has not chosen one."""
+        from passive_haptics import catalogue
+
+        known = self._brakes(brakes)
+        if self._held.has_inertia():
+            return catalogue.velocity_direct_control()
+        return catalogue.on_off_control(lead=float(np.max(known.parameters()["time_constant"])))
+
+    def _require_square(self, function: str) -> None:
+        if not self._held.has_reference_forces():
+            raise TypeError(
+                f"passive_haptics: {function} needs as many brakes and joints as task dimensions, but the mechanism has "
+                f"{self.dof} joints, {self.brake_count} brakes and {self.task_dimension} task dimensions"
+            )
+
+    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
+        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok.
+
+        Raises TypeError unless there are as many brakes and joints as task dimensions.
+        """
+        self._require_square("reference_forces")
+        found: tuple[Array, status] = self._held.reference_forces(q)
+        return found
+
+    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
+        """The force [N] nearest to the desired one that brakes of these signs can make.
+
+        Raises TypeError unless there are as many brakes and joints as task dimensions.
+        """
+        self._require_square("nearest_force")
+        of: Array = self._held.nearest_force(q, signs, desired_force)
+        return of
+
+    def passive_fme(self, q: Numbers, segments: int = 32) -> list[tuple[tuple[int, int], Array]]:
+        """The four passive FMEs: the signs of the torques, and the closed outline [N] as K rows of 2 numbers.
+
+        NaN at a singular pose. Raises TypeError unless there are two brakes on two joints in the plane.
+        """
+        if self._held.sizes() != (2, 2, 2):
+            raise TypeError("passive_haptics: passive_fme needs two brakes on two joints in the plane; take another mechanism")
+        found: list[tuple[tuple[int, int], Array]] = self._held.passive_fme(q, segments)
+        return found
+
+    def displayable(
+        self,
+        q: Union[Numbers, Rows],
+        velocity: Union[Numbers, Rows],
+        normal: Union[Numbers, Rows],
+        brakes: Optional[Brakes] = None,
+    ) -> displayable_force:
+        """The force that the brakes can display along the normal of a wall.
+
+        Parameters
+        ----------
+        q : n numbers, or N rows
+            Joint positions.
+        velocity, normal : d numbers, or N rows
+            Of the handle, only its direction counts; out of the wall.
+        brakes : brakes
+            Without any, brakes without limits.
+        """
+        outcome, display, *others = self._held.displayable(q, velocity, normal, self._brakes(brakes, True))
+        if outcome.ndim == 0:
+            angle, force, approximated, signs = others
+            return displayable_force(
+                status(int(outcome)), display_class(int(display)), float(angle), float(force), float(approximated), signs
+            )
+        return displayable_force(outcome, display, *others)
+
+    def sink_slope(
+        self,
+        q: Numbers,
+        direction: Numbers,
+        normal: Numbers,
+        brakes: Optional[Brakes] = None,
+        push: float = 1.0,
+        *,
+        motor_limit: Optional[Numbers] = None,
+    ) -> tuple[float, status]:
+        """The minimum slope [1], metres into a wall for each metre along it, at which the brakes resist a push [N] while a
+        hand leads the end effector in this direction; infinite if they do at none.
+
+        Brakes are without limits if none are given. motor_limit: the torque of a motor on each brake's axis [N m].
+        """
+        found: tuple[float, status] = self._held.sink_slope(q, direction, normal, self._brakes(brakes, True), push, motor_limit)
+        return found
+
+    def sink_depth(
+        self,
+        q: Rows,
+        direction: Union[Numbers, Rows],
+        normal: Union[Numbers, Rows],
+        brakes: Optional[Brakes] = None,
+        push: float = 1.0,
+        *,
+        motor_limit: Optional[Numbers] = None,
+    ) -> float:
+        """The depth [m] to which a hand that pushes [N] sinks on a path, at least.
+
+        q: joint positions at the middles of N >= 2 equal parts of the path, N rows; direction and normal of the wall
+        there: N rows, or one vector for all.
+        """
+        return float(self._held.sink_depth(q, direction, normal, self._brakes(brakes, True), push, motor_limit))
+
+    def design_map(
+        self,
+        q: Rows,
+        direction: Union[Numbers, Rows],
+        normal: Union[Numbers, Rows],
+        brakes: Optional[Brakes] = None,
+        push: float = 1.0,
+        *,
+        motor_limit: Optional[Numbers] = None,
+    ) -> Records:
+        """The figures of the device at N places of a task, an array with named fields. Ctrl-C ends it.
+
+        Returns
+        -------
+        Records
+            outcome (status), display (display_class), cosine of gamma [1], drag for each newton that is displayed [1],
+            max_force along the normal [N], sink_slope [1] and isotropy of E [1].
+        """
+        places = np.shape(q)
+        if len(places) != 2:
+            raise ValueError(f"passive_haptics: shape of q = {places}, expected (N, {self.dof}), a row for each place")
+        if places[0] > MAX_PLACES:
+            raise ValueError(
+                f"passive_haptics: number of rows of q = {places[0]}, expected at most {MAX_PLACES}; pass the places in parts"
+            )
+        if math.isnan(push):
+            raise ValueError("passive_haptics: push [N] = nan, expected a number")
+        rows: Records = np.empty(places[0], FIGURES)
+        with progress_line(places[0], "places") as shown:
+            self._held.design_map(q, direction, normal, self._brakes(brakes, True), push, motor_limit, rows, shown.reach)
+        return rows
+
+    def braked_wall_at(
+        self,
+        q: Numbers,
+        velocity: Numbers,
+        normal: Numbers,
+        brakes: Brakes,
+        residual_torque: Numbers,
+        resolution: Numbers,
+        hand_mass: float,
+    ) -> Any:
+        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of().
+
+        residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]. Raises
+        TypeError unless the mechanism has inertia and as many joints as task dimensions.
+        """
+        from passive_haptics import catalogue
+
+        found = self._held.braked_wall_at(q, velocity, normal, self._brakes(brakes), residual_torque, resolution, hand_mass)
+        return catalogue.braked_wall(**found.parameters())
+
+
+class serial_chain(mechanism):
+    """A serial chain of joints, a brake on each.
+
+    The package has controllers for 2, 3 and 4 joints in the plane, and for 3, 6 and 7 in space. With links the chain has
+    inertia.
+
+    Parameters
+    ----------
+    joints : list of dicts of kind ("revolute" or "prismatic"), axis [1] and point [m]
+        In the zero pose, base frame. In the plane a revolute joint needs no axis.
+    handle : d numbers [m]
+        The end effector in the zero pose; 2 numbers in the plane, 3 in space.
+    links : list of dicts of mass [kg], centre [m] and about_centre [kg m^2]
+        Link i moves with joint i.
+    rotor_inertia : one number for all joints or one for each [kg m^2, or kg]
+    handle_mass : float [kg]
+    gravity : d numbers [m/s^2]
+    """
+
+    def __init__(
+        self,
+        joints: collections.abc.Sequence[collections.abc.Mapping[str, Any]],
+        handle: Numbers,
+        links: Optional[collections.abc.Sequence[collections.abc.Mapping[str, Any]]] = None,
+        rotor_inertia: Optional[Numbers] = None,
+        handle_mass: Optional[float] = None,
+        gravity: Optional[Numbers] = None,
+    ) -> None:
+        given = dict(locals())
+        if not hasattr(joints, "__len__") or not hasattr(handle, "__len__"):
+            raise TypeError("passive_haptics: joints and handle of a serial_chain, expected a list of dicts, and a vector [m]")
+        name = ("planar" if len(handle) == 2 else "spatial") + f"_chain_{len(joints)}"
+        if any(of is not None for of in (links, rotor_inertia, handle_mass, gravity)):
+            name += "_with_inertia"
+        if name not in LISTS["mechanism"] or len(handle) not in (2, 3):
+            raise ValueError(
+                f"passive_haptics: {len(joints)} joints and a handle of {len(handle)} numbers, expected 2, 3 or 4 joints in the "
+                "plane, or 3, 6 or 7 in space"
+            )
+        self._name = name  # type: ignore[misc]
+        super().__init__(given)
+
+
+serial_chain._name = "serial_chain"

@@ -1,0 +1,49 @@
+/// @file
+/// Shapes, walls and scenes as Python holds them, in the plane or in space.
+#pragma once
+
+#include "named.hpp"
+
+#include <passive_haptics/runtime/any_design.hpp>
+#include <passive_haptics/runtime/catalogue.hpp>
+
+#include <functional>
+#include <optional>
+#include <variant>
+
+namespace passive_haptics_python {
+
+/// A shape of D dimensions, and walls of it; a mesh_surface has no inside.
+template <int D>
+struct shape_in {
+  std::optional<rt::any_shape<D>> solid;                     ///< The shape, where it has an inside.
+  std::function<ph::any_wall<D>(double stiffness)> wall_of;  ///< A wall with a stiffness [N/m].
+};
+/// A shape of the plane or of space.
+struct shape {
+  std::variant<shape_in<2>, shape_in<3>> in;  ///< The shape.
+};
+
+/// A wall of D dimensions: in a world, and where it has an inside by itself.
+template <int D>
+struct wall_in {
+  ph::any_wall<D> any;                              ///< For a world.
+  std::optional<ph::wall<rt::any_shape<D>>> solid;  ///< For a scene of one wall.
+};
+/// A wall of the plane or of space.
+struct wall {
+  std::variant<wall_in<2>, wall_in<3>> in;  ///< The wall.
+};
+
+/// A scene; without monostate.
+struct scene {
+  rt::scene_variant held;  ///< As a controller takes it.
+};
+
+/// An effect of the plane, of space, or of both.
+struct effect {
+  std::optional<rt::any_effect<2>> in_the_plane;  ///< In the plane.
+  std::optional<rt::any_effect<3>> in_space;      ///< In space.
+};
+
+}  // namespace passive_haptics_python
