@@ -1,11 +1,10 @@
 // The engine of the explorer: what it shows is what the library's own functions return.
-#include <exports.hpp>
-
 #include <device.hpp>
 #include <laws.hpp>
 #include <outline.hpp>
 #include <presets.hpp>
 
+#include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
@@ -51,7 +50,7 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
-TEST(explorer, presets_are_valid_and_their_ids_differ) {
+TEST(explorer, presets_are_valid_and_their_settings_make_them_again) {
   std::vector<std::string> ids;
   for (const auto& p : explorer::presets) {
     const auto made = explorer::make_device(settings(p.settings));
@@ -59,51 +58,68 @@ TEST(explorer, presets_are_valid_and_their_ids_differ) {
     EXPECT_EQ(value_of(*made, "status")[0], 0) << p.id;
     EXPECT_NE(std::string(p.look), "") << p.id;
     ids.emplace_back(p.id);
+    const auto again = explorer::make_device(made->changed());
+    again->evaluate();
+    ASSERT_EQ(made->values().size(), again->values().size());
+    for (int i = 0; i < made->values().size(); ++i)
+      EXPECT_EQ(made->values().data()[i], again->values().data()[i]) << p.id << " " << i;
   }
   std::sort(ids.begin(), ids.end());
   EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
 }
 
-TEST(explorer, settings_make_the_device_again) {
-  for (const auto& p : explorer::presets) {
-    const auto first = explorer::make_device(settings(p.settings));
-    const auto again = explorer::make_device(first->changed());
-    first->evaluate();
-    again->evaluate();
-    ASSERT_EQ(first->values().size(), again->values().size());
-    for (int i = 0; i < first->values().size(); ++i)
-      EXPECT_EQ(first->values().data()[i], again->values().data()[i]) << p.id << " " << i;
-    EXPECT_EQ(first->changed().text(), again->changed().text()) << p.id;
+// The slider of step 4: a law of a user with a constant alpha.
+struct constant_scale {
+  static constexpr bool needs_hand_force = true;
+  double alpha;
+
+  template <class T, int D>
+  T scale(const ph::contact_situation<T, D>&) const noexcept {
+    return T(alpha);
   }
-}
+};
 
 // A controller of the library, as a user writes it, decides what the explorer shows.
 TEST(explorer, values_are_those_of_a_controller) {
-  const auto& p = preset_of("wall");
-  const auto made = explorer::make_device(settings(p.settings));
-  made->evaluate();
   const ph::tendon_two_link<double> arm;
   const ph::brakes_of<ph::tendon_two_link<double>> brakes;
-  ph::controller control(arm, brakes, ph::scene(ph::wall(ph::half_space<2>({0, 0.225}, {0, -1}))),
-                         ph::direct_control());
-  ph::device_state<ph::tendon_two_link<double>> state;
+  const auto made = explorer::make_device(settings(preset_of("wall").settings));
   const double* s = made->state();
-  state.time = 0;
-  state.q = {s[0], s[1]};
-  state.qd = {s[2], s[3]};
-  state.hand_force = {s[4], s[5]};
-  const auto r = control(state);
-  ASSERT_NE(r.power, ph::power_class::none);
-  for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(value_of(*made, "capacity")[std::size_t(i)], r.capacity[i]);
-    EXPECT_EQ(value_of(*made, "torque")[std::size_t(i)], r.torque[i]);
-    EXPECT_EQ(value_of(*made, "Fd")[std::size_t(i)], r.desired_force[i]);
-    EXPECT_EQ(value_of(*made, "Fc")[std::size_t(i)], r.control_force[i]);
-  }
-  EXPECT_EQ(value_of(*made, "alpha")[0], r.alpha);
-  EXPECT_EQ(value_of(*made, "gamma")[0], r.approximation_angle());
-  EXPECT_EQ(value_of(*made, "display")[0], int(r.display));
-  EXPECT_EQ(value_of(*made, "power")[0], int(r.power));
+  const ph::device_state<ph::tendon_two_link<double>> state{0, {s[0], s[1]}, {s[2], s[3]}, {s[4], s[5]}};
+  const auto compare = [&](const auto& law, double alpha) {
+    made->set(settings("alpha=" + std::to_string(alpha)));
+    made->evaluate();
+    const ph::half_space<2> plane({0, 0.225}, {0, -1});
+    ph::controller control(arm, brakes, ph::scene(ph::wall(plane)), law);
+    const auto r = control(state);
+    ASSERT_NE(r.power, ph::power_class::none);
+    const ph::vector<double, 2> Fr = state.hand_force + ph::force_generators(arm, state.q) * r.torque;
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_EQ(value_of(*made, "capacity")[std::size_t(i)], r.capacity[i]);
+      EXPECT_EQ(value_of(*made, "torque")[std::size_t(i)], r.torque[i]);
+      EXPECT_EQ(value_of(*made, "Fd")[std::size_t(i)], r.desired_force[i]);
+      EXPECT_NEAR(value_of(*made, "Fr")[std::size_t(i)], Fr[i], 1e-12);  // Fr[1] is the normal part
+    }
+    EXPECT_EQ(value_of(*made, "alpha")[0], r.alpha);
+    EXPECT_EQ(value_of(*made, "gamma")[0], r.approximation_angle());
+    EXPECT_EQ(value_of(*made, "display")[0], int(r.display));
+    EXPECT_EQ(value_of(*made, "power")[0], int(r.power));
+  };
+  compare(ph::direct_control(), -1);
+  for (int k = 0; k <= 100; ++k) compare(constant_scale{k / 100.0}, k / 100.0);
+}
+
+TEST(explorer, a_handle_that_is_pulled_off_has_not_bounced) {
+  const auto made = explorer::make_device(settings(
+      "mechanism=tendon_two_link\nlaw=velocity_direct_control\nq=1.7783850056991168,-1.2684323440621927"));
+  made->evaluate();
+  const double x = value_of(*made, "x")[0];
+  const auto simulation = made->simulate();
+  simulation->step(500, {x, 0.24, 0}, true);
+  EXPECT_GT(value_of(simulation->row(), "depth")[0], 0);
+  simulation->step(500, {x, 0.2, 0}, true);
+  EXPECT_LT(value_of(simulation->row(), "depth")[0], -1e-3);
+  EXPECT_EQ(simulation->figures()[0], 0);
 }
 
 // What the paper says of its figures.
@@ -143,61 +159,41 @@ TEST(explorer, the_displayed_force_is_that_of_the_capacities) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> number(-1, 1);
   const auto numbers = [](int count, const auto& draw) {
-    std::string text;
-    for (int i = 0; i < count; ++i) text.append(i == 0 ? "" : ",").append(std::to_string(draw()));
+    std::string text = std::to_string(draw());
+    for (int i = 1; i < count; ++i) text.append(",").append(std::to_string(draw()));
     return text;
   };
-  int displayed = 0, cut = 0;
-  for (int k = 0; k < 1000; ++k) {
-    const auto& entry = explorer::mechanisms()[std::size_t(k) % explorer::mechanisms().size()];
-    const auto& law =
-        explorer::laws[std::size_t(k) / explorer::mechanisms().size() % std::size(explorer::laws)];
+  int displayed = 0;
+  for (std::size_t k = 0; k < 1000; ++k) {
+    const auto& entry = explorer::mechanisms()[k % explorer::mechanisms().size()];
     const int n = entry.joints, d = entry.dimension, m = entry.brakes;
-    settings text(std::string("mechanism=") + entry.id);
-    text.set("desired", k % 4 == 3 ? "scene" : "given");
+    if (n > d) continue;
+    settings text(std::string("mechanism=") + entry.id +
+                  "\ndesired=given\nlaw=" + explorer::laws[k / 8 % std::size(explorer::laws)].id);
     text.set("brakes.torque_limit", numbers(m, [&] { return std::pow(10, number(random)); }));
     text.set("brakes.present", numbers(m, [&] { return number(random) > -0.9 ? 1 : 0; }));
     text.set("Fh", numbers(d, [&] { return number(random); }));
     text.set("Fd", numbers(d, [&] { return number(random) * (k % 2 == 0 ? 10 : 100); }));
-    text.set("law", law.id);
     const auto made = explorer::make_device(text);
     double *q = made->state(), *qd = q + n;
     for (int i = 0; i < n; ++i)
       q[i] += 0.3 * number(random), qd[i] = i == 0 && k % 5 == 0 ? 0 : number(random);
     made->evaluate();
-    const auto F = value_of(*made, "displayed"), J = value_of(*made, "J"), E = value_of(*made, "E");
+    const auto F = value_of(*made, "displayed"), J = value_of(*made, "J");
     const auto capacity = value_of(*made, "capacity"), signs = value_of(*made, "signs");
-    ASSERT_EQ(value_of(*made, "status")[0], 0) << text.text();
-    cut += value_of(*made, "saturated")[0] != 0 ? 1 : 0;
-    const auto joint_torque = [&](int j) {  // of F
+    displayed += F[0] != 0 || F[1] != 0 || F[2] != 0 ? 1 : 0;
+    for (int j = 0; j < n; ++j) {
+      std::fill_n(qd, n, 0.0);
+      qd[j] = 1;
+      made->evaluate();
+      const auto rates = value_of(*made, "w");  // column j of T
       double t = 0;
       for (int i = 0; i < d; ++i) t += J[std::size_t(i * n + j)] * F[std::size_t(i)];
-      return t;
-    };
-    if (n > d) {  // those that come to rest hold with less
-      int holding = 0;
-      for (int i = 0; i < m; ++i) {
-        double t = 0;
-        for (int row = 0; row < d; ++row) t += E[std::size_t(row * m + i)] * F[std::size_t(row)];
-        EXPECT_LE(std::abs(t), capacity[std::size_t(i)] + 1e-9) << made->changed().text();
-        holding += std::abs(t) < capacity[std::size_t(i)] - 1e-9 ? 1 : 0;
-      }
-      EXPECT_LE(holding, n - d) << made->changed().text();
-    } else {
-      for (int j = 0; j < n; ++j) {
-        std::fill_n(qd, n, 0.0);
-        qd[j] = 1;
-        made->evaluate();
-        const auto rates = value_of(*made, "w");  // column j of T
-        double t = 0;
-        for (std::size_t i = 0; i < rates.size(); ++i) t -= rates[i] * signs[i] * capacity[i];
-        EXPECT_NEAR(joint_torque(j), t, 1e-9) << made->changed().text();
-      }
+      for (std::size_t i = 0; i < rates.size(); ++i) t += rates[i] * signs[i] * capacity[i];
+      EXPECT_NEAR(t, 0, 1e-9) << made->changed().text();
     }
-    displayed += F[0] != 0 || F[1] != 0 || F[2] != 0 ? 1 : 0;
   }
   EXPECT_GT(displayed, 300);
-  EXPECT_GT(cut, 100);
 }
 
 TEST(explorer, inverse_kinematics_reach_where_the_handle_was) {
@@ -207,6 +203,10 @@ TEST(explorer, inverse_kinematics_reach_where_the_handle_was) {
     const auto made = explorer::make_device(settings(std::string("mechanism=") + entry.id));
     made->evaluate();
     auto x = value_of(*made, "x");
+    made->move({0.03, -0.02, 0});
+    made->evaluate();
+    EXPECT_NEAR(value_of(*made, "v")[0], 0.03, 1e-12) << entry.id;
+    EXPECT_NEAR(value_of(*made, "v")[1], -0.02, 1e-12) << entry.id;
     for (int k = 0; k < 50; ++k) {
       const std::vector<double> to = {x[0] + step(random), x[1] + step(random),
                                       entry.dimension == 3 ? x[2] + step(random) : 0.0};
@@ -224,17 +224,6 @@ TEST(explorer, inverse_kinematics_reach_where_the_handle_was) {
   }
 }
 
-TEST(explorer, the_handle_moves_as_it_was_set) {
-  for (const auto& entry : explorer::mechanisms()) {
-    const auto made = explorer::make_device(settings(std::string("mechanism=") + entry.id));
-    made->move({0.03, -0.02, entry.dimension == 3 ? 0.01 : 0.0});
-    made->evaluate();
-    const auto v = value_of(*made, "v");
-    EXPECT_NEAR(v[0], 0.03, 1e-12) << entry.id;
-    EXPECT_NEAR(v[1], -0.02, 1e-12) << entry.id;
-  }
-}
-
 TEST(explorer, the_other_elbow_has_the_handle_at_one_place) {
   const auto made = explorer::make_device(settings("mechanism=two_link"));
   made->evaluate();
@@ -248,27 +237,19 @@ TEST(explorer, the_other_elbow_has_the_handle_at_one_place) {
 }
 
 TEST(explorer, refuses_with_the_words_of_the_library) {
-  EXPECT_EQ(refusal("mechanism=two_link\nmechanism.length_1=-1"),
+  const auto of_arm = [](const char* line) { return refusal(std::string("mechanism=two_link\n") + line); };
+  EXPECT_EQ(of_arm("mechanism.length_1=-1"),
             "passive_haptics: length_1 [m] = -1, expected a finite number > 0");
-  EXPECT_EQ(refusal("mechanism=two_link\nmechanism.length_1=abc"),
-            "mechanism.length_1 = 'abc', expected a number");
-  EXPECT_EQ(refusal("mechanism=two_link\nq=1"), "q = '1', expected 2 numbers with commas between");
-  EXPECT_EQ(refusal("mechanism=two_link\nq=nan,1").substr(0, 23), "passive_haptics: q[0] [");
-  EXPECT_EQ(refusal("mechanism=two_link\nq=1e300,1").substr(0, 23), "passive_haptics: q[0] [");
-  EXPECT_EQ(refusal("mechanism=two_link\nlenght=1"),
-            "setting = 'lenght', expected a name of the device's form");
-  EXPECT_EQ(refusal("mechanism=two_link\nscene=plane:1,2"),
-            "scene = 'plane:1,2', expected none, plane:X,Y,NX,NY, solid:X,Y,RADIUS, hollow:X,Y,RADIUS, "
-            "edge:X,Y,NX,NY,NX,NY or outline:X,Y,X,Y,X,Y,...");
-  EXPECT_NE(refusal("mechanism=two_link\nscene=solid:0,0,-1"), "");
-  EXPECT_NE(refusal("mechanism=two_link\nscene=edge:0,0,1,0,2,0"), "");
-  EXPECT_NE(refusal("mechanism=two_link\nscene=outline:0,0,1,1,1,0,0,1"), "");
+  EXPECT_EQ(of_arm("mechanism.length_1=abc"), "mechanism.length_1 = 'abc', expected a number");
+  EXPECT_EQ(of_arm("q=1"), "q = '1', expected 2 numbers with commas between");
+  EXPECT_EQ(of_arm("q=1e300,1").substr(0, 23), "passive_haptics: q[0] [");
+  EXPECT_EQ(of_arm("lenght=1"), "setting = 'lenght', expected a name of the device's form");
+  EXPECT_EQ(of_arm("scene=plane:1,2").substr(0, 46), "scene = 'plane:1,2', expected none, plane:X,Y,");
+  for (const char* line : {"scene=solid:0,0,-1", "scene=edge:0,0,1,0,2,0", "scene=outline:0,0,1,1,1,0,0,1",
+                           "q=nan,1", "law=magic", "no equals sign"})
+    EXPECT_NE(of_arm(line), "") << line;
   EXPECT_NE(refusal("mechanism=hexapod"), "");
-  EXPECT_NE(refusal("no equals sign"), "");
-  EXPECT_NE(refusal("mechanism=two_link\nlaw=magic"), "");
-  EXPECT_EQ(refusal("mechanism=five_bar_4\nq=3.1,0"),
-            "q = '3.1,0', expected joint positions at which the chain closes; change q or the lengths");
-  EXPECT_EQ(refusal("mechanism=two_link\nlaw.depth_gain=20\nlaw=direct_control"), "");  // of another law
+  EXPECT_EQ(of_arm("law.depth_gain=20\nlaw=direct_control"), "");  // of another law
 }
 
 TEST(explorer, refused_settings_change_nothing) {
@@ -277,19 +258,6 @@ TEST(explorer, refused_settings_change_nothing) {
   EXPECT_THROW(made->set(settings("mechanism.length_1=0.2\nmechanism.length_2=-1")), std::invalid_argument);
   EXPECT_THROW(made->set(settings("mechanism.length_1=0.2\nscene=plane")), std::invalid_argument);
   EXPECT_EQ(made->changed().text(), before);
-}
-
-TEST(explorer, reads_links_of_earlier_versions) {
-  const auto made = explorer::make_device(settings("mechanism=tendon_two_link\nmechanism.arm.length_1=0.2"));
-  EXPECT_NE(made->changed().text().find("mechanism.length_1=0.2\n"), std::string::npos);
-}
-
-TEST(explorer, an_absent_brake_makes_no_torque) {
-  const auto made = explorer::make_device(settings(preset_of("one-brake").settings));
-  made->evaluate();
-  EXPECT_EQ(value_of(*made, "torque")[0], 0);
-  EXPECT_EQ(value_of(*made, "capacity")[0], 0);
-  EXPECT_EQ(value_of(*made, "brake_state")[0], 3);
 }
 
 // A record is a log of the library: replayed under the same settings it commands the same capacities.
@@ -358,32 +326,13 @@ TEST(explorer, a_map_ends_at_the_reach) {
   const auto map = made->map(31, 31, {-0.4, -0.4}, {0.4, 0.4});
   EXPECT_EQ(map->advance(10), 10);
   EXPECT_EQ(map->advance(100), 31);
-  int reached = 0;
   for (int k = 0; k < 31 * 31; ++k) {
     const double x = -0.4 + 0.8 * (k % 31) / 30, y = -0.4 + 0.8 * (k / 31) / 30, cosine = map->figure(0)[k];
-    if (std::isfinite(cosine)) ++reached;
     const double square = x * x + y * y;
     EXPECT_TRUE(square <= 0.3 * 0.3 || std::isnan(cosine)) << x << " " << y;
     EXPECT_TRUE(square > 0.3 * 0.3 || square < 1e-4 || (cosine >= 0 && cosine <= 1)) << x << " " << y;
   }
-  EXPECT_GT(reached, 300);
   EXPECT_THROW(map->figure(6), std::invalid_argument);
-  EXPECT_THROW(made->map(0, 5, {0, 0}, {1, 1}), std::invalid_argument);
-}
-
-TEST(explorer, exports_return_refusals_as_texts) {
-  EXPECT_EQ(explorer_new("mechanism=two_link\nmechanism.mass_1=0"), nullptr);
-  EXPECT_EQ(std::string(explorer_error()), "passive_haptics: mass_1 [kg] = 0, expected a finite number > 0");
-  void* const made = explorer_new("mechanism=two_link");
-  ASSERT_NE(made, nullptr);
-  EXPECT_EQ(std::string(explorer_error()), "");
-  EXPECT_EQ(explorer_set(made, "law=none"), 0);
-  EXPECT_GT(explorer_drawing_count(made), 5);
-  EXPECT_GT(explorer_outline(made, -1, 1), 10);
-  EXPECT_EQ(explorer_outline(made, 4, 0), 0);
-  EXPECT_NE(std::string(explorer_error()), "");
-  EXPECT_GT(explorer_walls(made, -1, -1, 1, 1), 1);
-  explorer_delete(made);
 }
 
 }  // namespace

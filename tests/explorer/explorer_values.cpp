@@ -1,16 +1,13 @@
-// Prints what the engine computes: of each preset all values, "PRESET ID NUMBER ..." in hexadecimal; then of
+// Prints what the engine computes: of each preset all values, "PRESET ID NUMBER ..."; then of
 // each preset a closed loop of 21 000 cycles, "loop:PRESET ID NUMBER ..." of its last cycle and "loop:PRESET
 // hash H", of the bits of all numbers of all cycles. tests/explorer/engine.mjs does the same with
 // engine.wasm.
-#include <exports.hpp>
-
 #include <device.hpp>
 #include <presets.hpp>
 
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <string>
 
 namespace {
@@ -26,7 +23,7 @@ double wave(int frame) {
 
 void print(const std::string& name, const explorer::named_value& v, const double* numbers) {
   std::printf("%s %s", name.c_str(), v.id);
-  for (int i = 0; i < v.size; ++i) std::printf(" %a", numbers[v.offset + i]);
+  for (int i = 0; i < v.size; ++i) std::printf(" %.17g", numbers[v.offset + i]);
   std::printf("\n");
 }
 
@@ -52,7 +49,6 @@ void print_loop(const explorer::preset& p) {
   const double* x = device->values().data();  // the handle stands first
   const explorer::drawing::place start(x[0], x[1], x[2]);
   hash all;
-  const std::clock_t began = std::clock();
   for (int frame = 0; frame < cycles / cycles_of_a_frame; ++frame) {
     const double way = reach * wave(frame);
     simulation->step(cycles_of_a_frame,
@@ -66,8 +62,6 @@ void print_loop(const explorer::preset& p) {
           for (int i = 0; i < v.size; ++i) all.add(numbers[v.offset + i]);
     }
   }
-  std::fprintf(stderr, "%s: %.2f us a cycle\n", name.c_str(),
-               double(std::clock() - began) / CLOCKS_PER_SEC / cycles * 1e6);
   for (const explorer::named_value& v : row.names()) print(name, v, row.data());
   std::printf("%s hash %u\n", name.c_str(), all.value);
 }

@@ -117,6 +117,7 @@ struct configuration {
     ph::vector<double, n> qd = ph::vector<double, n>::Zero();  ///< Joint rates.
     ph::vector<double, d> Fh = ph::vector<double, d>::Zero();  ///< Hand force [N].
     ph::vector<double, d> Fd = ph::vector<double, d>::Zero();  ///< Desired force [N].
+    double alpha = -1;                                         ///< Scale factor; < 0: that of the law.
     /// The table of core/parameters.hpp.
     static constexpr auto members() {
       using p = whole;
@@ -125,7 +126,8 @@ struct configuration {
           ph::choice("hand", &p::hand, "pointer, along"),
           ph::member("q", &p::q, "rad or m", ph::range::between(-1e6, 1e6)),  // whose sine has a meaning
           ph::member("qd", &p::qd, "rad/s or m/s", ph::range::finite),
-          ph::member("Fh", &p::Fh, "N", ph::range::finite), ph::member("Fd", &p::Fd, "N", ph::range::finite));
+          ph::member("Fh", &p::Fh, "N", ph::range::finite), ph::member("Fd", &p::Fd, "N", ph::range::finite),
+          ph::member("alpha", &p::alpha, "1", ph::range::between(-1, 1)));
     }
   };
 
@@ -195,6 +197,13 @@ struct configuration {
   /// The scene of the walls.
   explorer_scene<d> walls() const {
     return {wall_or_force<d>(shape_of<d>(top.scene), wall.stiffness), wall.rate > 0 ? 1 / wall.rate : 0};
+  }
+  /// A controller that scales forces by the given alpha if there is one, else under the law.
+  std::unique_ptr<any_control<M>> control(const M& model, explorer_scene<d> scene) const {
+    if (top.alpha < 0) return control(model, law, std::move(scene));
+    configuration scaled = *this;
+    scaled.law_tables.given_scale = top.alpha;
+    return scaled.control(model, law_kind::no_direct_control, std::move(scene));
   }
   /// A controller of the law in this scene.
   std::unique_ptr<any_control<M>> control(const M& model, law_kind chosen, explorer_scene<d> scene) const {

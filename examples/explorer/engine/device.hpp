@@ -89,7 +89,9 @@ class device {
   /// The box of the reach [m]: low, high.
   virtual double* bounds() = 0;
   /// Points of what can be produced in a region [N].
-  virtual const std::vector<double>& outline(int region, bool is_limited) = 0;
+  virtual const std::vector<double>& outline(int region) = 0;
+  /// Handle positions over a length [m] to each side of the handle while this brake holds; none unless n = 2.
+  virtual std::vector<double> locus(int brake, double length) = 0;
   /// Points of the walls.
   virtual std::vector<double> walls(const ph::vector<double, 2>& low, const ph::vector<double, 2>& high) = 0;
   /// A simulation from the state of now.

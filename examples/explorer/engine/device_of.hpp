@@ -131,22 +131,39 @@ class device_of final : public device {
     return bounds_.data();
   }
 
-  const std::vector<double>& outline(int region, bool is_limited) override {
+  const std::vector<double>& outline(int region) override {
     read_state();
     points_.clear();
     if (region < -1 || region >= (1 << m)) refuse("region", std::to_string(region), "-1, or a region from 0");
-    const auto set = torques_in(region, is_limited);
+    const auto set = torques_in(region);
     if constexpr (n == d) {
       const ph::brake_matrix<M> G = ph::force_generators(model_, c_.top.q);
       if (G.allFinite()) points_ = outline_of<m>(G, set);
     } else if (region == -1) {
-      ph::switchable_brakes<M> brakes = c_.switchable();
-      if (!is_limited) brakes.torque_limit.setOnes();
       const ph::jacobian_matrix<M> J(ph::jacobian(model_, c_.top.q));
       points_ = displayable_outline<M>(model_, c_.top.q, ph::task_vector<M>(J * c_.top.qd),
-                                       ph::hybrid_brakes<M>(brakes));
+                                       ph::hybrid_brakes<M>(c_.switchable()));
     }
     return points_;
+  }
+
+  std::vector<double> locus(int brake, double length) override {
+    std::vector<double> points;
+    if (brake < 0 || brake >= m) refuse("brake", std::to_string(brake), "one of the device, from 0");
+    if constexpr (n == 2 && d == 2) {
+      constexpr int steps = 32;  // to each side
+      read_state();
+      for (int k = -steps; k <= steps; ++k) {
+        ph::joint_vector<M> q = c_.top.q;
+        for (int i = 0; i < std::abs(k); ++i) {  // by the midpoint rule
+          const double way = std::copysign(length / steps, k);
+          q += way * held_rates(brake, ph::joint_vector<M>(q + way / 2 * held_rates(brake, q)));
+        }
+        const ph::task_vector<M> x = model_.position(q);
+        if (x.allFinite()) add_force<2>(points, x);
+      }
+    }
+    return points;
   }
 
   std::vector<double> walls(const ph::vector<double, 2>& low, const ph::vector<double, 2>& high) override {
@@ -169,9 +186,17 @@ class device_of final : public device {
   }
 
  private:
+  // Joint rates at which a brake is at rest and the handle moves with 1 m/s.
+  ph::joint_vector<M> held_rates(int brake, const ph::joint_vector<M>& q) const {
+    const auto rate = [&](int j) { return ph::brake_rates(model_, q, ph::joint_vector<M>::Unit(j))[brake]; };
+    const ph::joint_vector<M> qd(-rate(1), rate(0));
+    const ph::jacobian_matrix<M> J(ph::jacobian(model_, q));
+    return qd / (J * qd).norm();
+  }
+
   // The torques of a region: of the present signs, or of all that it names.
-  torque_set<m> torques_in(int region, bool is_limited) const {
-    torque_set<m> set{ph::brake_vector<M>::Zero(), ph::brake_vector<M>::Zero(), !is_limited};
+  torque_set<m> torques_in(int region) const {
+    torque_set<m> set{ph::brake_vector<M>::Zero(), ph::brake_vector<M>::Zero()};
     const ph::brake_vector<M> w = ph::brake_rates(model_, c_.top.q, c_.top.qd);
     const ph::brake_matrix<M> E_of_q(ph::brake_jacobian(model_, c_.top.q));
     const ph::brake_vector<M> s =
@@ -179,7 +204,7 @@ class device_of final : public device {
     const auto regions = ph::passive_fme_regions<m>();
     for (int i = 0; i < m; ++i) {
       if (!c_.is_present(i)) continue;
-      const double size = is_limited ? double(c_.brakes.torque_limit[i]) : 1.0;
+      const double size = c_.brakes.torque_limit[i];
       const double sign = region >= 0 ? regions[std::size_t(region)][std::size_t(i)] : -s[i];
       if (sign >= 0) set.upper[i] = size;
       if (sign <= 0) set.lower[i] = -size;

@@ -35,7 +35,7 @@ template <class T>
 struct handle {
   std::unique_ptr<T> held;
   std::string text, layout, command;
-  std::vector<double> points, walls;
+  std::vector<double> points;
 };
 using device_handle = handle<device>;
 using simulation_handle = handle<simulation>;
@@ -52,6 +52,15 @@ void* handle_of(Made made) {
   auto p = std::make_unique<Handle>();
   p->held = std::move(made);
   return p.release();
+}
+
+// Keeps the points that f returns, and returns their number.
+template <class F>
+int points_of(void* p, F&& f) {
+  return guarded(0, [&] {
+    device_at(p).points = f(*device_at(p).held);
+    return int(device_at(p).points.size() / 3);
+  });
 }
 
 template <class Handle>
@@ -119,20 +128,16 @@ const char* explorer_layout(void* p) {
 int explorer_drawing_count(void* p) { return device_at(p).held->draw().size(); }
 double* explorer_drawing(void* p) { return device_at(p).held->draw().data(); }
 double* explorer_bounds(void* p) { return device_at(p).held->bounds(); }
-int explorer_outline(void* p, int region, int is_limited) {
-  return guarded(0, [&] {
-    device_at(p).points = device_at(p).held->outline(region, is_limited != 0);
-    return int(device_at(p).points.size() / 3);
-  });
+int explorer_outline(void* p, int region) {
+  return points_of(p, [&](device& held) { return held.outline(region); });
 }
-double* explorer_outline_points(void* p) { return device_at(p).points.data(); }
+int explorer_locus(void* p, int brake, double length) {
+  return points_of(p, [&](device& held) { return held.locus(brake, length); });
+}
 int explorer_walls(void* p, double low_x, double low_y, double high_x, double high_y) {
-  return guarded(0, [&] {
-    device_at(p).walls = device_at(p).held->walls({low_x, low_y}, {high_x, high_y});
-    return int(device_at(p).walls.size() / 3);
-  });
+  return points_of(p, [&](device& held) { return held.walls({low_x, low_y}, {high_x, high_y}); });
 }
-double* explorer_walls_points(void* p) { return device_at(p).walls.data(); }
+double* explorer_points(void* p) { return device_at(p).points.data(); }
 
 void* sim_new(const char* given) {
   return guarded<void*>(
@@ -149,7 +154,6 @@ void sim_step(void* p, int cycles, double x, double y, double z, int is_held) {
   simulation_at(p).held->step(cycles, drawing::place(x, y, z), is_held != 0);
 }
 void sim_restart(void* p) { simulation_at(p).held->restart(); }
-double* sim_row(void* p) { return simulation_at(p).held->row().data(); }
 double* sim_ring(void* p) { return simulation_at(p).held->ring(); }
 double sim_cycles(void* p) { return simulation_at(p).held->cycles(); }
 const char* sim_layout(void* p) { return row_layout(simulation_at(p), simulation_at(p).held->row()); }

@@ -26,6 +26,7 @@
 ///     hand.stiffness=300             of the spring between pointer and handle, and so on: see explorer_form
 ///     desired=scene                  scene, or given: F_d is the state's, as of a wall behind the handle
 ///     q=..., qd=..., Fh=..., Fd=...  the state; q and qd [rad or m], forces [N]
+///     alpha=0.5                      the scale factor of a pose instead of the law's; -1: that of the law
 #pragma once
 
 #ifdef __EMSCRIPTEN__
@@ -132,20 +133,22 @@ EXPLORER_EXPORT int explorer_drawing_count(void* device);
 /// The box of all drawing that this device can reach [m]: low x, y, z, high x, y, z.
 EXPLORER_EXPORT double* explorer_bounds(void* device);
 
-/// The outline of what the brakes can produce in one region of torque signs, for limits of 1 N m (is_limited
-/// 0: the passive FME, |t| <= 1) or for the torque limits (is_limited 1). Returns the number of its points; 0
-/// where there is none. Regions count from 0 to 2^m - 1 as in passive_fme.hpp: (+,+), (+,-), (-,+), (-,-). In
-/// the plane a closed polygon, in space triangles, 3 points each. region -1: that of the present signs, also
-/// with brakes at rest.
-EXPLORER_EXPORT int explorer_outline(void* device, int region, int is_limited);
-/// The points of the last explorer_outline(), x y z each [N].
-EXPLORER_EXPORT double* explorer_outline_points(void* device);
+/// The outline of what the brakes can produce within their torque limits in one region of torque signs.
+/// Returns the number of its points; 0 if there is none. Regions count from 0 to 2^m - 1 as in
+/// passive_fme.hpp: (+,+),
+/// (+,-), (-,+), (-,-). In the plane a closed polygon, in space triangles, 3 points each. region -1: that of
+/// the present signs, also with brakes at rest.
+EXPLORER_EXPORT int explorer_outline(void* device, int region);
+
+/// Positions of the handle while one brake (from 0) holds and the others rotate: the curve over a length [m]
+/// to each side of the present handle. Returns the number of its points; 0 unless the device has two joints.
+EXPLORER_EXPORT int explorer_locus(void* device, int brake, double length);
 
 /// The walls of the scene as lines to draw inside low x, y to high x, y (z 0), or in space as triangles.
 /// Returns the number of points; every 2 a segment in the plane, every 3 a triangle in space.
 EXPLORER_EXPORT int explorer_walls(void* device, double low_x, double low_y, double high_x, double high_y);
-/// The points of the last explorer_walls(), x y z each [m].
-EXPLORER_EXPORT double* explorer_walls_points(void* device);
+/// The points of the last of these three functions, x y z each [N or m].
+EXPLORER_EXPORT double* explorer_points(void* device);
 
 // The simulation: the device at 1 kHz with a hand
 
@@ -160,20 +163,17 @@ EXPLORER_EXPORT int sim_set(void* sim, const char* settings);
 EXPLORER_EXPORT void sim_step(void* sim, int cycles, double x, double y, double z, int is_held);
 /// Continues from the start of the settings.
 EXPLORER_EXPORT void sim_restart(void* sim);
-/// The last cycle, numbers as sim_layout() names them.
-EXPLORER_EXPORT double* sim_row(void* sim);
 /// The last 4096 cycles as rows of the layout: cycle k (from 0) is row k % 4096.
 EXPLORER_EXPORT double* sim_ring(void* sim);
 /// Cycles so far.
 EXPLORER_EXPORT double sim_cycles(void* sim);
 /// The columns of a row, JSON as of explorer_layout(), with "columns in all" as the row's length:
 /// {"row": 40, "values": [...]}. ids: t, q, qd, x, v, pointer, hand_force (sensed), muscle_force, depth, w,
-/// capacity, brake_torque, brake_force, Fd, Fc, gamma, alpha, display, power, status, brake_state, sound
-/// (mean |torque of the brakes| that slip, as a share of their limits).
+/// capacity, brake_torque, brake_force, Fd, Fc, gamma, alpha, display, power, status, brake_state, progress.
 EXPLORER_EXPORT const char* sim_layout(void* sim);
-/// Counts since the start: separations, deepest [m], mean depth [m], deviation of the depth [m], share of the
-/// time in contact in which the last brake sticks, retarding force [N], largest power of a brake [W], contact
-/// time [s].
+/// Counts since the start: separations while the hand pushes, deepest [m], mean depth [m], deviation of the
+/// depth [m], share of the time in contact in which the last brake sticks, retarding force [N], largest power
+/// of a brake [W], contact time [s].
 EXPLORER_EXPORT double* sim_figures(void* sim);
 
 /// Begins to record (1), or stops (0); a new record forgets the last. The most is 2 minutes.

@@ -15,24 +15,15 @@ namespace explorer {
 
 namespace ph = passive_haptics;
 
-/// The torques of brakes that are drawn: from lower to upper on each axis [N m], and for a passive FME of
-/// length
-/// <= 1 besides.
+/// The torques of brakes that are drawn: from lower to upper on each axis [N m].
 template <int Brakes>
 struct torque_set {
   ph::vector<double, Brakes> lower, upper;  ///< [N m]
-  bool is_ball = false;                     ///< |t| <= 1, too.
 
   /// The torques whose force G t goes farthest in a direction, where `gain` = G^T direction.
   ph::vector<double, Brakes> farthest(const ph::vector<double, Brakes>& gain) const {
     ph::vector<double, Brakes> t;
-    double length = 0;
-    for (int i = 0; i < Brakes; ++i) {
-      const double end = gain[i] > 0 ? upper[i] : gain[i] < 0 ? lower[i] : 0.0;
-      t[i] = is_ball ? (end != 0 ? gain[i] : 0.0) : end;
-      length += t[i] * t[i];
-    }
-    if (is_ball && length > 0) t /= std::sqrt(length);
+    for (int i = 0; i < Brakes; ++i) t[i] = gain[i] > 0 ? upper[i] : gain[i] < 0 ? lower[i] : 0.0;
     return t;
   }
 };
@@ -81,20 +72,36 @@ std::vector<double> outline_of(const ph::matrix<double, 3, Brakes>& G, const tor
 }
 
 /// What can be displayed exactly in each direction of the plane while the handle moves along `direction` [N]:
-/// for devices with self-motion, whose brakes do not make a force each.
+/// for devices with self-motion, whose brakes do not make a force each. The sides of the area are found by
+/// bisection, as the nearest force to one outside lies there.
 template <class M>
 std::vector<double> displayable_outline(const M& mechanism, const ph::joint_vector<M>& q,
                                         const ph::task_vector<M>& direction,
                                         const ph::hybrid_brakes<M>& brakes) {
-  constexpr int directions = 180;
-  std::vector<double> points;
-  for (int k = 0; k <= directions; ++k) {
-    const ph::vector<double, 2> u = direction_at(k, directions);
+  constexpr int directions = 180, bisections = 30;
+  const auto at = [&](double k) {
+    const double a = 2 * std::numbers::pi * k / directions;
+    const ph::vector<double, 2> u(std::cos(a), std::sin(a));
     const auto found = ph::displayable(mechanism, q, direction, u, brakes);
     const bool is_exact = found.outcome == ph::status::ok && found.display == ph::display_class::exact &&
                           std::isfinite(found.max_approximated_force);
-    add_force<2>(points, is_exact ? ph::vector<double, 2>(found.max_approximated_force * u)
-                                  : ph::vector<double, 2>(0, 0));
+    return is_exact ? ph::vector<double, 2>(found.max_approximated_force * u) : ph::vector<double, 2>(0, 0);
+  };
+  std::vector<double> points;
+  ph::vector<double, 2> last(0, 0);
+  for (int k = 0; k <= directions; ++k) {
+    const ph::vector<double, 2> F = at(k);
+    const bool begins = F.norm() > 0, ends = last.norm() > 0;
+    if (k > 0 && begins != ends) {
+      double inside = begins ? k : k - 1, outside = begins ? k - 1 : k;
+      for (int i = 0; i < bisections; ++i) {
+        const double middle = (inside + outside) / 2;
+        (at(middle).norm() > 0 ? inside : outside) = middle;
+      }
+      add_force<2>(points, at(inside));
+    }
+    add_force<2>(points, F);
+    last = F;
   }
   return points;
 }

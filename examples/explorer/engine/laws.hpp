@@ -21,8 +21,9 @@ struct scaled_forces {
   static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
   /// As direct_control; at one wall, alpha = 1 makes no difference.
   static constexpr bool nulls_normal_force = true;
-  bool is_direct = true;           ///< Direct control; else alpha = 1.
+  bool is_direct = true;           ///< Direct control; else alpha as given.
   ph::direct_control direct = {};  ///< The law.
+  double given = 1;                ///< alpha without the law.
 
   /// The table of core/parameters.hpp: that of the law.
   static constexpr auto members() { return ph::member_table(ph::member("direct", &scaled_forces::direct)); }
@@ -30,7 +31,7 @@ struct scaled_forces {
   /// alpha
   template <class T, int D>
   T scale(const ph::contact_situation<T, D>& c) const noexcept {
-    return is_direct ? direct.scale(c) : T(1);
+    return is_direct ? direct.scale(c) : T(given);
   }
 };
 
@@ -82,6 +83,7 @@ struct law_settings {
   ph::saturated_direct_control saturated;           ///< Of saturated_direct_control.
   ph::velocity_direct_control_parameters velocity;  ///< Of velocity_direct_control.
   ph::on_off_parameters on_off;                     ///< Of on_off_control.
+  double given_scale = 1;                           ///< alpha of no_direct_control.
 
   /// Calls f(table) with that of a law, if it has one.
   template <class F>
@@ -139,8 +141,8 @@ std::unique_ptr<any_control<M>> make_control(law_kind kind, const law_settings& 
     return std::make_unique<detail::control_of<M, L>>(mechanism, brakes, std::move(scene), chosen, options);
   };
   switch (kind) {
-    case law_kind::no_direct_control: return under(scaled_forces{false, {}});
-    case law_kind::direct_control: return under(scaled_forces{true, law.direct});
+    case law_kind::no_direct_control: return under(scaled_forces{false, {}, law.given_scale});
+    case law_kind::direct_control: return under(scaled_forces{true, law.direct, 1});
     case law_kind::saturated_direct_control: return under(law.saturated);
     case law_kind::velocity_direct_control: return under(ph::velocity_direct_control(law.velocity));
     case law_kind::on_off_control: break;

@@ -53,12 +53,6 @@ brake_doing doing_of(const configuration<E>& c, int i, double rate, double capac
   return ph::slips(rate, double(c.brakes.rate_dead_band[i])) ? brake_doing::slips : brake_doing::holds;
 }
 
-/// Units of joints or brakes of E: those that slide differ.
-template <class E>
-std::vector<std::string> units_of(int count, const char* turning, const char* sliding) {
-  return std::vector<std::string>(std::size_t(count), E::slides ? sliding : turning);
-}
-
 /// The table of E's values and what fills it.
 template <class E>
 class pose_values {
@@ -74,12 +68,12 @@ class pose_values {
     };
     const auto number = [&](const char* id, const char* label, const char* symbol, const char* equation,
                             const char* unit, const char* group, std::vector<std::string> words = {}) {
-      return table_.add({id, label, symbol, equation, unit, group, 1, 1, {}, std::move(words)});
+      return table_.add({id, label, symbol, equation, unit, group, 1, 1, std::move(words)});
     };
     const std::string torque = E::slides ? "N" : "N m", rate = E::slides ? "m/s" : "rad/s";
     const auto of_brakes = [&](const char* id, const char* label, const char* symbol, const char* equation,
                                const std::string& unit, std::vector<std::string> words = {}) {
-      return table_.add({id, label, symbol, equation, unit, "brakes", m, m, {}, std::move(words)});
+      return table_.add({id, label, symbol, equation, unit, "brakes", m, m, std::move(words)});
     };
     x_ = vector_of("x", "handle", "x", "", "m", "motion");
     v_ = vector_of("v", "velocity of the handle", "v", "", "m/s", "motion");
@@ -153,7 +147,7 @@ class pose_values {
 
     const ph::device_state<M> state{0, q, qd, c.top.Fh};
     const auto without_law = c.control(model, law_kind::no_direct_control, scene),
-               control = c.control(model, c.law, scene);
+               control = c.control(model, scene);
     const ph::step_result<M> whole = without_law->decide(state), r = control->decide(state);
     const ph::task_vector<M> Fc = whole.control_force;
     const ph::task_vector<M> Fc_scaled = r.alpha * Fc;

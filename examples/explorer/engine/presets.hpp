@@ -80,7 +80,7 @@ inline constexpr preset presets[] = {
      "Contact and non-contact alternate, and brake 2 sticks and slips.",
      PAPER_HAND "law=no_direct_control\nscene.rate=1000\n"},
     {"fig8", "Figure 8: along a wall with direct control",
-     "The brakes are cut to their limit before alpha, as the paper's experiments read: the depth is nearly "
+     "The brakes are limited before α is applied, as in the paper's experiments: the depth stays nearly "
      "constant.",
      PAPER_HAND "law=saturated_direct_control\nscene.rate=1000\n"},
     {"fig9-none", "Figure 9: the environment at 20 Hz, without",

@@ -69,6 +69,8 @@ class simulation_of final : public simulation {
     plant_.set_motion(c_.top.q, c_.top.qd);
     control_ = c_.control(model_, c_.law, c_.walls());
     meter_ = ph::contact_meter(way_of_meter, time_step);
+    separations_ = 0;
+    is_in_contact_ = false;
     start_ = plant_.position();
     motion_time_ = 0;
     is_pointed_ = false;
@@ -92,8 +94,8 @@ class simulation_of final : public simulation {
 
   double* figures() override {
     const ph::contact_metrics f = meter_.result();
-    figures_ = {double(f.separations), f.max_depth,       f.depth_mean,      f.depth_std,
-                f.stick_share,         f.retarding_force, f.max_brake_power, f.duration};
+    figures_ = {double(separations_), f.max_depth,       f.depth_mean,      f.depth_std,
+                f.stick_share,        f.retarding_force, f.max_brake_power, f.duration};
     return figures_.data();
   }
 
@@ -179,6 +181,7 @@ class simulation_of final : public simulation {
         const ph::task_vector<M> n_out = normal(), v = plant_.velocity();
         const ph::task_vector<M> along = v - n_out * n_out.dot(v);
         const double speed = along.norm();
+        count_separation(depth(), (hand_ || is_held) && muscle.dot(n_out) < 0);
         meter_.add({.progress = motion_time_,
                     .depth = depth(),
                     .rate = plant_.rates()[m - 1],
@@ -193,6 +196,13 @@ class simulation_of final : public simulation {
     if (is_recording_) record_.add(now);
     ++cycles_;
     if (!plant_.q().allFinite() || !plant_.position().allFinite()) stop_at(state.q);
+  }
+
+  // The handle leaves the wall while the hand pushes; one that is pulled off does not count.
+  void count_separation(double depth, bool is_pushed) {
+    constexpr double hysteresis = ph::contact_meter::hysteresis;
+    if (is_in_contact_ && depth < -hysteresis && is_pushed) ++separations_;
+    is_in_contact_ = depth > (is_in_contact_ ? -hysteresis : hysteresis);
   }
 
   // Where the loop of a closed chain can no longer be closed: at rest at the last pose that is one.
@@ -214,14 +224,7 @@ class simulation_of final : public simulation {
     t.put_column(columns_.w, w, m);
     t.put_column(columns_.brake_torque, plant_.brake_torque(), m);
     t.put_column(columns_.brake_force, plant_.brake_force(), 3);
-    double sound = 0;
-    for (int i = 0; i < m; ++i) {
-      const brake_doing doing = doing_of(c_, i, w[i], r.capacity[i]);
-      t.put(columns_.brake_state + i, int(doing));
-      if (doing == brake_doing::slips && c_.brakes.torque_limit[i] > 0)
-        sound += std::abs(plant_.brake_torque()[i]) / c_.brakes.torque_limit[i] / m;
-    }
-    t.put(columns_.sound, sound);
+    for (int i = 0; i < m; ++i) t.put(columns_.brake_state + i, int(doing_of(c_, i, w[i], r.capacity[i])));
     t.put(columns_.progress, progress());
     const std::size_t width = std::size_t(t.size());
     std::copy_n(t.data(), width, ring_.data() + std::size_t(cycles_ % ring_size) * width);
@@ -234,7 +237,8 @@ class simulation_of final : public simulation {
   std::optional<shape> shape_;
   std::optional<ph::following_hand<double, d>> hand_;
   ph::task_vector<M> start_ = ph::task_vector<M>::Zero(), pointer_ = ph::task_vector<M>::Zero();
-  bool is_pointed_ = false, is_recording_ = false;
+  bool is_pointed_ = false, is_recording_ = false, is_in_contact_ = false;
+  int separations_ = 0;
   double motion_time_ = 0;  // since the start of the hand's way [s]
   long cycles_ = 0;
   row_columns<E> columns_;

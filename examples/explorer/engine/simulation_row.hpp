@@ -19,13 +19,13 @@ struct row_columns {
   static constexpr int n = configuration<E>::n, m = configuration<E>::m;
   value_table table;  ///< The names, and the numbers of one row.
   int t, q, qd, x, v, pointer, hand_force, muscle_force, depth, w, capacity, brake_torque, brake_force, Fd,
-      Fc, gamma, alpha, display, power, status, brake_state, sound, progress;  ///< Offsets.
+      Fc, gamma, alpha, display, power, status, brake_state, progress;  ///< Offsets.
 
   row_columns() {
     const std::string torque = E::slides ? "N" : "N m", rate = E::slides ? "m/s" : "rad/s";
     const auto add = [&](const char* id, const char* label, const char* symbol, const std::string& unit,
                          int size, std::vector<std::string> words = {}) {
-      return table.add({id, label, symbol, "", unit, "simulation", size, size, {}, std::move(words)});
+      return table.add({id, label, symbol, "", unit, "simulation", size, size, std::move(words)});
     };
     t = add("t", "time", "t", "s", 1);
     q = add("q", "joint positions", "q", E::slides ? "m" : "rad", n);
@@ -48,7 +48,6 @@ struct row_columns {
     power = add("power", "region of the desired force", "", "", 1, power_words());
     status = add("status", "status", "", "", 1, status_words());
     brake_state = add("brake_state", "state of the brakes", "", "", m, brake_words());
-    sound = add("sound", "mean torque of slipping brakes", "", "1", 1);
     progress = add("progress", "share of the way", "", "1", 1);
   }
 

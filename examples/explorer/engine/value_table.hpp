@@ -21,7 +21,6 @@ struct named_value {
   const char* group;                    ///< Where it is shown: motion, forces, brakes, decision.
   int size = 1;                         ///< Numbers.
   int columns = 1;                      ///< Of them in a row.
-  std::vector<std::string> units = {};  ///< One for each number, where they differ.
   std::vector<std::string> words = {};  ///< Of an enumeration, which counts from 0.
   int offset = 0;                       ///< Of the first number; the table sets it.
 };
@@ -73,7 +72,6 @@ class value_table {
           json.put("offset", v.offset);
           json.put("size", v.size);
           json.put("columns", v.columns);
-          if (!v.units.empty()) json.put_list("units", v.units);
           if (!v.words.empty()) json.put_list("words", v.words);
         });
       }

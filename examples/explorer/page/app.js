@@ -1,9 +1,9 @@
 // The state of the page: the device, the question that is looked at, and the numbers that are shown.
 
 import {bytes_of, load_engine} from './engine.js';
-import {short_number} from './format.js';
 import {by_id} from './messages.js';
 import {canvas_pen} from './pen.js';
+import {brakes_of} from './picture.js';
 import {make_runner} from './runner.js';
 import {questions} from './story.js';
 import {read_theme} from './theme.js';
@@ -12,7 +12,7 @@ const code = by_id('engine-code').textContent,
   bytes = await bytes_of(by_id('engine-wasm').textContent);
 export const engine = await load_engine(code, bytes);
 
-// device: of the engine, with what the catalogue has of its mechanism in info; preset: of the catalogue, as
+// question: the view; device: of the engine, with what the catalogue has of its mechanism in info; preset: of the catalogue, as
 // long as nothing was changed; laws: of the simulation; focus: the one whose device is drawn; shown(): is
 // called where the controls have to follow.
 export const app = {
@@ -45,10 +45,11 @@ export const runner_events = {
   started() {
     app.is_dirty = true;
   },
+  came() {
+    app.is_dirty ||= app.is_paused;
+  },
 };
 export const runner = make_runner(code, bytes, by_id('worker-code').textContent, runner_events);
-
-const min_shown = 1e-3; // of the torque limit; a torque below is written as 0 [1]
 
 // The rows that are shown: of the log that is played, or of the simulation.
 export const tracks = () => (app.log ? app.log.tracks : app.question.is_moving ? runner.tracks : null);
@@ -70,17 +71,7 @@ export function word(id, k) {
   return tracks()?.value(app.focus, id) ? tracks().word(app.focus, id, k) : app.device.word(id, k);
 }
 
-export function brake_states() {
-  const torques = tracks()?.value(app.focus, 'brake_torque') || app.device.value('torque'),
-    limits = app.device.value('torque_limit');
-  const unit = app.device.layout.find(entry => entry.id === 'torque').unit;
-  return torques.map((torque, k) => {
-    const state = word('brake_state', k) || 'released';
-    const share = Math.abs(torque) / limits[k],
-      made = short_number(share < min_shown ? 0 : Math.abs(torque), 2) + ' ' + unit;
-    return {state, share, made, text: state === 'released' ? state : state + ', ' + made};
-  });
-}
+export const brake_states = () => brakes_of(app.device, tracks() ? value : app.device.value, word);
 
 // The device takes the state of the last row.
 export function follow_tracks() {

@@ -17,14 +17,7 @@ export function draw_arrow(pen, from, vector, style, most = Infinity) {
   const at = (s, t) => [from[0] + s * a[0] + t * b[0], from[1] + s * a[1] + t * b[1]],
     neck = length - 0.82 * head;
   const shaft = is_cut
-    ? points_path([
-        at(0, 0),
-        at(neck - 22, 0),
-        at(neck - 18, 5),
-        at(neck - 12, -5),
-        at(neck - 8, 0),
-        at(neck, 0),
-      ])
+    ? points_path([at(0, 0), at(neck - 22, 0), at(neck - 18, 5), at(neck - 12, -5), at(neck - 8, 0), at(neck, 0)])
     : line_path(from, at(Math.max(0, neck), 0));
   const outline = points_path(
     [at(length, 0), at(length - head, half), at(length - 0.82 * head, 0), at(length - head, -half)],
@@ -38,20 +31,6 @@ export function draw_arrow(pen, from, vector, style, most = Infinity) {
       : {fill: style.color, alpha: style.alpha},
   );
   return at(length, 0);
-}
-
-// The label of an arrow, just beyond its head, and clear of the picture's edges.
-export function label_arrow(pen, from, head, text, style) {
-  const d = [head[0] - from[0], head[1] - from[1]],
-    length = Math.hypot(...d) || 1;
-  const x = Math.min(pen.width - 12, Math.max(12, head[0] + (15 * d[0]) / length)),
-    y = Math.min(pen.height - 6, Math.max(14, head[1] + (15 * d[1]) / length + 5));
-  pen.label(text, x, y, {
-    size: 15,
-    math: true,
-    align: d[0] / length > 0.5 ? 'start' : d[0] / length < -0.5 ? 'end' : 'middle',
-    ...style,
-  });
 }
 
 // A polygon of forces in the plane [N] about a point on the screen.
@@ -99,8 +78,7 @@ export function draw_solid_cone(pen, camera, at, points, scale, style) {
     ++face.count;
   }
   const order = [...faces.values()].sort((a, b) => a.depth / a.count - b.depth / b.count);
-  for (const face of order)
-    pen.path(face.path, {fill: style.fill, alpha: style.alpha * (0.5 + 0.5 * face.light)});
+  for (const face of order) pen.path(face.path, {fill: style.fill, alpha: style.alpha * (0.5 + 0.5 * face.light)});
 }
 
 const turned = ([a, b, c]) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

@@ -17,7 +17,7 @@ export function plane_camera(scale, origin) {
 }
 
 // yaw turns about z, pitch lifts the eye over the plane z = 0; both [rad]. centre is seen at middle.
-export function space_camera(scale, middle, centre, yaw, pitch) {
+function space_camera(scale, middle, centre, yaw, pitch) {
   const cy = Math.cos(yaw),
     sy = Math.sin(yaw),
     cp = Math.cos(pitch),
@@ -55,10 +55,7 @@ export function space_camera(scale, middle, centre, yaw, pitch) {
 export function fitting_camera(box, is_space, width, height, margin, yaw = 0, pitch = 0) {
   const centre = [0, 1, 2].map(i => (box[i] + box[i + 3]) / 2);
   const size = [0, 1, 2].map(i => Math.max(1e-9, box[i + 3] - box[i]));
-  const room = [
-    Math.max(20, width - margin.left - margin.right),
-    Math.max(20, height - margin.top - margin.bottom),
-  ];
+  const room = [Math.max(20, width - margin.left - margin.right), Math.max(20, height - margin.top - margin.bottom)];
   const middle = [margin.left + room[0] / 2, margin.top + room[1] / 2];
   if (!is_space) {
     const scale = Math.min(room[0] / size[0], room[1] / size[1]);

@@ -2,18 +2,16 @@
 
 import {app, engine, form_value, is_moving, runner} from './app.js';
 import {make_form} from './form.js';
-import {element, ended, set_sentence} from './format.js';
+import {element, ended, set_sentence, symbol_html} from './format.js';
 import {keep_link} from './link.js';
 import {by_id, refuse} from './messages.js';
 import {begin, start_runner} from './open.js';
-import {layers} from './story.js';
+import {law_name, layers} from './story.js';
 
-const device_groups = [
-    ['mechanism', 'Mechanism'],
-    ['brakes', 'Brakes'],
-  ],
-  map_group = ['map', 'Task of the design map'];
-const other_groups = [
+const groups = [
+  ['mechanism', 'Mechanism'],
+  ['brakes', 'Brakes'],
+  ['map', 'Task of the design map'],
   ['law', 'Law'],
   ['options', 'Approximation'],
   ['scene', 'Wall'],
@@ -24,31 +22,35 @@ const form = make_form(by_id('form'), change_setting);
 export function show_controls() {
   const {question} = app;
   set_sentence(by_id('lead'), app.preset ? ended(app.preset.title) + ' ' + app.preset.look : question.lead);
-  for (const link of by_id('questions').children) mark_current(link, link.dataset.id === question.id);
-  show_current(by_id('questions'));
-  for (const link of by_id('presets').querySelectorAll('a'))
-    mark_current(link, app.preset?.id === link.dataset.id);
+  const steps = by_id('questions').children;
+  for (const link of steps) mark_current(link, Number(link.dataset.step) === question.step);
+  for (const link of by_id('parts').children) mark_current(link, link.dataset.part === (question.part ?? ''));
+  by_id('parts').hidden = question.step !== 4;
+  const next = steps[question.step];
+  by_id('next').hidden = !next;
+  if (next) Object.assign(by_id('next'), {href: next.href, textContent: 'Next: ' + next.title});
+  for (const link of by_id('presets').querySelectorAll('a')) mark_current(link, app.preset?.id === link.dataset.id);
   by_id('mechanism').value = app.info.id;
   by_id('law').value = app.law;
   show_scene();
-  const beside = question.id === 'watch' || question.id === 'laws';
+  const beside = question.step === 4 && !!question.is_moving;
+  for (const id of ['alpha_choice', 'alpha_law']) by_id(id).hidden = question.id !== 'direct';
   by_id('laws').hidden = !beside;
   by_id('law_choice').hidden = beside;
   by_id('law_text').hidden = beside;
   const law = engine.catalogue.laws.find(other => other.id === app.law);
-  by_id('law_text').textContent = law
-    ? law.look + (law.equation ? ' Equation (' + law.equation + ').' : '')
-    : '';
+  by_id('law').title = app.law;
+  by_id('law_text').textContent = law ? law.look + (law.equation && ` Equation (${law.equation}).`) : '';
   show_laws();
-  for (const id of ['transport', 'plots']) by_id(id).hidden = !is_moving();
+  for (const id of ['transport', 'plots', 'records']) by_id(id).hidden = !is_moving();
   document.body.dataset.question = question.id;
   document.body.classList.toggle('moving', is_moving());
   by_id('results').hidden = app.laws.length < 2 || !question.is_moving;
   by_id('map_choice').hidden = question.id !== 'mine';
   by_id('flip').hidden = question.is_moving || !app.info.has_branches;
-  by_id('form_details').open = by_id('form_details').open || !!question.opens_form;
   by_id('self').setAttribute('aria-pressed', String(app.is_by_itself));
-  by_id('hint').hidden = !(question.is_moving && (question.id === 'watch' || !app.is_by_itself)) || !!app.log;
+  by_id('hint').hidden =
+    !(question.is_moving && (question.step === 4 || !app.is_by_itself || app.is_paused)) || !!app.log;
   by_id('hint').textContent = app.is_paused
     ? 'Press Play: it moves only if you want it to'
     : innerWidth < 520
@@ -62,28 +64,14 @@ function mark_current(link, is_current) {
   is_current ? link.setAttribute('aria-current', 'page') : link.removeAttribute('aria-current');
 }
 
-// Brings the current link of a row into view where the row is wider than the screen.
-function show_current(row) {
-  const link = row.querySelector('[aria-current="page"]');
-  if (link && row.scrollWidth > row.clientWidth)
-    row.scrollLeft = link.offsetLeft - row.offsetLeft - (row.clientWidth - link.offsetWidth) / 2;
-}
-
-function show_form() {
-  form.show(
-    app.device.form(),
-    app.question.id === 'mine'
-      ? [...device_groups, map_group, ...other_groups]
-      : [...device_groups, ...other_groups, map_group],
-  );
-}
+const show_form = () => form.show(app.device.form(), groups);
 
 function show_scene() {
   const text = form_value('scene'),
     select = by_id('scene'),
     kind = text.split(':')[0];
   const fitting = engine.catalogue.scenes.filter(scene => scene.dimensions.includes(app.info.dimension));
-  select.replaceChildren(...fitting.map(scene => element('option', {value: scene.id, text: scene.label})));
+  select.innerHTML = fitting.map(({id, label}) => `<option value="${id}">${label}</option>`).join('');
   select.value = kind || 'none';
 }
 
@@ -117,31 +105,18 @@ export function scene_text(kind) {
 }
 
 function show_laws() {
-  by_id('law_list').replaceChildren(
-    ...engine.catalogue.laws.map(law => {
-      const at = app.laws.indexOf(law.id);
-      const box = element('input', {
-        type: 'checkbox',
-        value: law.id,
-        checked: at >= 0,
-        onchange: () => toggle_law(law.id),
-      });
-      box.checked = at >= 0;
-      return element(
-        'label',
-        {title: law.look},
-        box,
-        element('span', {
-          class: 'swatch',
-          style: at >= 0 && app.slots ? 'background:var(--law-' + (app.slots[at] + 1) + ')' : '',
-        }),
-        law.id,
-      );
-    }),
-  );
+  by_id('law_list').innerHTML = engine.catalogue.laws
+    .map(({id, look}) => {
+      const at = app.laws.indexOf(id),
+        color = at >= 0 ? `style="background:var(--law-${app.slots[at] + 1})"` : '';
+      return `<label title="${id}: ${look}"><input type="checkbox" value="${id}" ${at >= 0 ? 'checked' : ''}><span class="swatch" ${color}></span>${law_name(id)}</label>`;
+    })
+    .join('');
+  by_id('focus').innerHTML = app.laws.map((law, k) => `<option value="${k}">${law_name(law)}</option>`).join('');
+  by_id('focus').value = app.focus;
 }
 
-function toggle_law(law) {
+export function toggle_law(law) {
   if (app.laws.includes(law)) {
     if (app.laws.length > 1) app.laws = app.laws.filter(other => other !== law);
   } else app.laws = [...app.laws, law].slice(-3);
@@ -150,56 +125,41 @@ function toggle_law(law) {
   by_id('law_list').querySelector(`input[value="${law}"]`)?.focus();
 }
 
+// What is drawn, as a legend, and in "More" as buttons that show and hide it.
 function show_legend() {
-  const moving_only = ['paths'],
-    is_used = id =>
-      (id !== 'map' || app.question.id === 'mine') && (!moving_only.includes(id) || app.question.is_moving);
+  const is_used = ({id}) =>
+    (!/map|normal/.test(id) || app.question.id === 'mine') && (!/paths|locus/.test(id) || app.question.is_moving);
+  const entry = (name, attributes, layer) => {
+    const made = element(name, {...attributes, 'data-layer': layer.id});
+    made.innerHTML = legend_mark(layer) + symbol_html(layer.label);
+    return made;
+  };
   by_id('legend').replaceChildren(
     ...layers
-      .filter(layer => is_used(layer.id))
-      .map(layer => {
-        const button = element('button', {
-          type: 'button',
-          'aria-pressed': String(app.layers.has(layer.id)),
-          'data-layer': layer.id,
-        });
-        button.innerHTML = legend_mark(layer.style);
-        button.append(
-          element(
-            'span',
-            {},
-            ...layer.label
-              .split(/(_\{[^}]*\})/)
-              .map(part => (part.startsWith('_{') ? element('sub', {text: part.slice(2, -1)}) : part)),
-          ),
-        );
-        button.addEventListener('click', () => {
-          app.layers.has(layer.id) ? app.layers.delete(layer.id) : app.layers.add(layer.id);
-          button.setAttribute('aria-pressed', String(app.layers.has(layer.id)));
-          app.is_dirty = true;
-        });
-        return button;
-      }),
+      .filter(layer => layer.mark && is_used(layer) && app.layers.has(layer.id))
+      .map(layer => entry('span', {}, layer)),
+  );
+  by_id('layers').replaceChildren(
+    ...layers.filter(is_used).map(layer => {
+      const button = entry('button', {type: 'button', 'aria-pressed': String(app.layers.has(layer.id))}, layer);
+      button.addEventListener('click', () => {
+        app.layers.has(layer.id) ? app.layers.delete(layer.id) : app.layers.add(layer.id);
+        app.is_dirty = true;
+        show_legend();
+        by_id('layers').querySelector(`[data-layer="${layer.id}"]`).focus();
+      });
+      return button;
+    }),
   );
 }
 
-function legend_mark(style) {
-  const line = (name, width, dash) =>
-    `<svg aria-hidden="true" viewBox="0 0 26 12"><path d="M1 6H18" stroke="var(--${name})" stroke-width="${width}"${dash ? ` stroke-dasharray="${dash}"` : ''} fill="none"/><path d="M25 6 16 1.5 18 6 16 10.5Z" fill="var(--${name})"/></svg>`;
-  const area = name =>
-    `<svg aria-hidden="true" viewBox="0 0 26 12"><path d="M2 10 13 1 24 8Z" fill="var(--${name})" fill-opacity=".35" stroke="var(--${name})"/></svg>`;
-  return (
-    {
-      cone: area('cone'),
-      others: area('faint'),
-      references: line('muted', 1.4, '4 3'),
-      Fd: line('wanted', 2),
-      Fc_scaled: line('made', 4),
-      v: line('motion', 3),
-      Fh: line('hand', 3),
-      Fr: line('result', 2, '5 2'),
-    }[style] || ''
-  );
+function legend_mark({mark, color}) {
+  const shape = {
+    area: `<path d="M2 10 13 1 24 8Z" fill="var(--${color})" fill-opacity=".35" stroke="var(--${color})"/>`,
+    line: `<path d="M1 6H18" stroke="var(--${color})" stroke-width="2.4" fill="none"/><path d="M25 6 16 1.5 18 6 16 10.5Z" fill="var(--${color})"/>`,
+    curve: `<path d="M1 10C8 2 16 2 25 5" stroke="var(--${color})" stroke-width="3" fill="none"/>`,
+  }[mark];
+  return shape ? `<svg aria-hidden="true" viewBox="0 0 26 12">${shape}</svg>` : '';
 }
 
 export function change_setting(name, text) {

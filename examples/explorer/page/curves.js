@@ -19,41 +19,17 @@ export function draw_curves(pen, tracks, last, theme, names, colors, brakes, is_
     top = is_small ? 30 + 16 * names.length : 26;
   const unit = is_short ? (pen.height - top - 18) / 2.6 : (pen.height - top - 16 - 2 * gap) / 5;
   const panels = [
-    {key: 'depth', from: top, height: 2.6 * unit, title: 'depth in the wall [mm]', factor: 1e3, down: true},
-    {
-      key: 'rate',
-      from: top + 2.6 * unit + gap,
-      height: 1.2 * unit,
-      title: 'rate of brake ' + brakes + ', ω [rad/s]: 0 where it holds',
-      factor: 1,
-      even: true,
-    },
-    {
-      key: 'alpha',
-      from: top + 3.8 * unit + 2 * gap,
-      height: 1.2 * unit,
-      title: 'α, how much of F_{c} the law takes',
-      log: true,
-    },
-  ];
+    {key: 'depth', at: 0, size: 2.6, title: 'depth in the wall [mm]', factor: 1e3, down: true},
+    {key: 'rate', at: 2.6, size: 1.2, title: `rate of brake ${brakes}, ω [rad/s]: 0 where it holds`, even: true},
+    {key: 'alpha', at: 3.8, size: 1.2, title: 'α, the share of F_{c} that the law keeps', range: [0, 1]},
+  ].map((panel, k) => ({...panel, from: top + panel.at * unit + k * gap, height: panel.size * unit}));
   const [start, end] = times_of(tracks),
     last_end = last ? times_of(last)[1] : 0;
   const seconds = last && end < last_end ? Math.min(max_shown, last_end) : max_shown,
     first = Math.max(start, end - seconds);
   const x_of = t => left + ((right - left) * (t - first)) / seconds;
   for (const panel of is_short ? panels.slice(0, 1) : panels)
-    draw_panel(
-      pen,
-      panel,
-      tracks,
-      last && end < last_end ? last : null,
-      end,
-      theme,
-      colors,
-      x_of,
-      left,
-      right,
-    );
+    draw_panel(pen, panel, tracks, last && end < last_end ? last : null, end, theme, colors, x_of, left, right);
   // The names beside each other, on a phone below each other
   let [at, line] = [right, 17];
   for (let law = names.length - 1; law >= 0; --law) {
@@ -88,27 +64,12 @@ function draw_panel(pen, panel, tracks, last, now, theme, colors, x_of, left, ri
         high = Math.max(high, value);
       }
     });
-  let y_of, ticks;
-  if (panel.log) {
-    const least = -6;
-    y_of = value =>
-      panel.from + panel.height * Math.min(1, Math.max(0, Math.log10(Math.max(value, 1e-12)) / least));
-    ticks = [
-      [1, '1'],
-      [1e-3, '1e−3'],
-      [1e-6, '1e−6'],
-    ];
-  } else {
-    const most = panel.even
-      ? round_up(Math.max(Math.abs(low), Math.abs(high), 0.5))
-      : round_up(Math.max(high, 2));
-    const least = panel.even ? -most : Math.max(-most, Math.min(-0.4 * most, -round_up(Math.max(0.1, -low))));
-    y_of = value => {
-      const part = (value - least) / (most - least);
-      return panel.down ? panel.from + panel.height * part : bottom - panel.height * part;
-    };
-    ticks = (panel.even ? [-most, 0, most] : [0, most / 2, most]).map(value => [value, short_number(value)]);
-  }
+  const top = panel.even ? round_up(Math.max(Math.abs(low), Math.abs(high), 0.5)) : round_up(Math.max(high, 2)),
+    bottom_value = panel.even ? -top : Math.max(-top, Math.min(-0.4 * top, -round_up(Math.max(0.1, -low)))),
+    [least, most] = panel.range || [bottom_value, top],
+    part_of = value => (panel.height * (value - least)) / (most - least),
+    y_of = value => (panel.down ? panel.from + part_of(value) : bottom - part_of(value)),
+    ticks = panel.range || (panel.even ? [-most, 0, most] : [0, most / 2, most]);
   if (panel.down) {
     const surface = y_of(0);
     pen.path(`M${left} ${surface}H${right}V${bottom}H${left}Z`, {fill: theme.wall, alpha: 0.75});
@@ -116,11 +77,11 @@ function draw_panel(pen, panel, tracks, last, now, theme, colors, x_of, left, ri
     pen.label('free', right - 6, surface - 6, {size: 12, align: 'end', color: theme.muted});
     pen.label('in the wall', right - 6, bottom - 6, {size: 12, align: 'end', color: theme.muted});
   }
-  for (const [value, text] of ticks) {
+  for (const value of ticks) {
     const y = y_of(value);
     if (!panel.down || value)
       pen.path(line_path([left, y], [right, y]), {stroke: theme.faint, width: 0.6, dash: [2, 4]});
-    pen.label(text, left - 8, y + 4, {size: 12, align: 'end', color: theme.muted});
+    pen.label(short_number(value), left - 8, y + 4, {size: 12, align: 'end', color: theme.muted});
   }
   pen.label(panel.title, left, panel.from - 8, {size: 12.5, color: theme.muted});
   pen.clip(`M${left} ${panel.from - 3}H${right + 8}V${bottom + 3}H${left}Z`, () => {

@@ -16,6 +16,7 @@ const ramp = [
   [181, 222, 43],
   [253, 231, 37],
 ];
+const none_color = [176, 176, 176]; // of places where the brakes make no force against the wall
 const columns = 72;
 
 function ramp_color(part) {
@@ -32,7 +33,6 @@ export function make_design_map(changed) {
     rows = 0,
     done = 0;
   const design = {
-    is_done: () => map && done >= rows,
     // Begins anew for a device inside a box [m].
     begin(device, bounds) {
       design.end();
@@ -61,13 +61,18 @@ export function make_design_map(changed) {
         context = image.getContext('2d');
       image.width = columns;
       image.height = rows;
-      const data = context.createImageData(columns, rows);
+      const data = context.createImageData(columns, rows),
+        classes = map.figure(class_index);
       for (let row = 0; row < rows; ++row)
         for (let column = 0; column < columns; ++column) {
           const value = numbers[row * columns + column],
             at = 4 * ((rows - 1 - row) * columns + column);
           if (!Number.isFinite(value)) continue;
-          data.data.set([...ramp_color(most > least ? (value - least) / (most - least) : 0.5), 255], at);
+          const color =
+            classes[row * columns + column] === 0 && figure.id === 'cosine'
+              ? none_color
+              : ramp_color(most > least ? (value - least) / (most - least) : 0.5);
+          data.data.set([...color, 255], at);
         }
       context.putImageData(data, 0, 0);
       const unit = figure.unit && figure.unit !== '1' ? ' ' + figure.unit : '';
@@ -76,9 +81,17 @@ export function make_design_map(changed) {
         low: box.low,
         high: box.high,
         ramp: ramp.map(c => 'rgb(' + c + ')'),
-        title: figure.label + (figure.symbol ? ' ' + figure.symbol : ''),
-        classes: [...map.figure(class_index)].filter(Number.isFinite),
-        texts: [short_number(least, 2) + unit, short_number(most, 2) + unit],
+        title:
+          figure.id === 'cosine'
+            ? 'force out of the wall, cos γ'
+            : figure.label + (figure.symbol ? ' ' + figure.symbol : ''),
+        classes: [...classes].filter(Number.isFinite),
+        none: figure.id === 'cosine' && `rgb(${none_color})`,
+        done: done / rows,
+        texts:
+          figure.id === 'cosine'
+            ? ['hardly', 'exactly']
+            : [short_number(least, 2) + unit, short_number(most, 2) + unit],
         known,
       };
     },

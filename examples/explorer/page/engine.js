@@ -38,12 +38,6 @@ function wrap_engine(wasm) {
     }
   };
   const numbers_at = (address, count) => wasm.HEAPF64.subarray(address >> 3, (address >> 3) + count);
-  const triples_at = (address, count) => {
-    const numbers = numbers_at(address, 3 * count),
-      points = [];
-    for (let k = 0; k < count; ++k) points.push([numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]]);
-    return points;
-  };
   const error = () => text_at(wasm._explorer_error());
 
   function make_device(settings) {
@@ -51,6 +45,10 @@ function wrap_engine(wasm) {
     if (!handle) return null;
     const layout = JSON.parse(text_at(wasm._explorer_layout(handle)));
     const entries = new Map(layout.map(entry => [entry.id, entry]));
+    const points_of = count => {
+      const numbers = numbers_at(wasm._explorer_points(handle), 3 * count);
+      return Array.from({length: count}, (_, k) => [numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]]);
+    };
     return {
       layout,
       set: text => with_text(text, lines => wasm._explorer_set(handle, lines)) !== 0,
@@ -85,14 +83,9 @@ function wrap_engine(wasm) {
         return {count, numbers: numbers_at(wasm._explorer_drawing(handle), 10 * count).slice()};
       },
       bounds: () => [...numbers_at(wasm._explorer_bounds(handle), 6)],
-      outline(region, is_limited) {
-        const count = wasm._explorer_outline(handle, region, is_limited ? 1 : 0);
-        return triples_at(wasm._explorer_outline_points(handle), count);
-      },
-      walls(low, high) {
-        const count = wasm._explorer_walls(handle, low[0], low[1], high[0], high[1]);
-        return triples_at(wasm._explorer_walls_points(handle), count);
-      },
+      outline: region => points_of(wasm._explorer_outline(handle, region)),
+      locus: (brake, length) => points_of(wasm._explorer_locus(handle, brake, length)),
+      walls: (low, high) => points_of(wasm._explorer_walls(handle, low[0], low[1], high[0], high[1])),
       new_map(columns, rows, low, high) {
         const map = wasm._map_new(handle, columns, rows, low[0], low[1], high[0], high[1]);
         return (
@@ -125,8 +118,7 @@ function wrap_engine(wasm) {
         const from = Math.max(first, cycles - ring, 0),
           rows = new Float64Array(Math.max(0, cycles - from) * row);
         const start = wasm._sim_ring(handle);
-        for (let k = from; k < cycles; ++k)
-          rows.set(numbers_at(start + 8 * row * (k % ring), row), (k - from) * row);
+        for (let k = from; k < cycles; ++k) rows.set(numbers_at(start + 8 * row * (k % ring), row), (k - from) * row);
         return {first: from, rows};
       },
       figures: () => [...numbers_at(wasm._sim_figures(handle), 8)],

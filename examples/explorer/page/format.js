@@ -3,29 +3,24 @@
 export function short_number(value, digits = 3) {
   if (Number.isNaN(value)) return '–';
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
-  if (value === 0) return '0';
   const size = Math.abs(value);
-  const text =
-    size >= 1e5 || size < 1e-3
-      ? value.toExponential(digits - 1).replace('e', 'e')
-      : String(Number(value.toPrecision(digits)));
-  return text.replace('-', '−');
+  if (size < min_size) return '0';
+  if (size >= 1e-3 && size < 1e4) return String(Number(value.toPrecision(digits))).replace('-', '−');
+  const [mantissa, power] = value.toExponential(digits - 1).split('e');
+  return (
+    (Number(mantissa) + '·10').replace('-', '−') + power.replace(/./g, c => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c] ?? (c === '-' ? '⁻' : ''))
+  );
 }
+const min_size = 1e-9; // smaller numbers are rounding errors
 
 export const degrees = angle => (angle * 180) / Math.PI;
 
-// "F_d" with its subscript for the page. A name of more letters, such as direct_control, has none.
-export function symbol_nodes(symbol) {
-  return symbol
-    .split(/(_\{[^}]*\}|(?<=(?:^|[^A-Za-z_])[A-Za-zα-ω])_[A-Za-z0-9]+)/)
-    .filter(part => part)
-    .map(part => {
-      if (!part.startsWith('_')) return document.createTextNode(part);
-      const sub = document.createElement('sub');
-      sub.textContent = part.replace(/[_{}]/g, '');
-      return sub;
-    });
-}
+// "F_d" and "F_{d}" with the subscript for the page. A name of more letters, such as direct_control, has none.
+export const symbol_html = text =>
+  text
+    .replace(/&/g, '&amp;')
+    .replace(/</g, '&lt;')
+    .replace(/_\{([^}]*)\}|(?<=(?:^|[^A-Za-z_])[A-Za-zα-ω])_([A-Za-z0-9]+)/g, (_, a, b) => `<sub>${a ?? b}</sub>`);
 
 // An element with text, or with children.
 export function element(name, attributes = {}, ...children) {
@@ -44,14 +39,7 @@ export function element(name, attributes = {}, ...children) {
 export function set_sentence(target, sentence) {
   if (target.dataset.sentence === sentence) return;
   target.dataset.sentence = sentence;
-  target.replaceChildren(
-    ...sentence
-      .split(/(\*[^*]+\*)/)
-      .filter(part => part)
-      .flatMap(part =>
-        part.startsWith('*') ? [element('b', {}, ...symbol_nodes(part.slice(1, -1)))] : symbol_nodes(part),
-      ),
-  );
+  target.innerHTML = symbol_html(sentence).replace(/\*([^*]+)\*/g, '<b>$1</b>');
 }
 
 // A title as a sentence.

@@ -11,7 +11,7 @@ const key_moves = {
 };
 
 // container: the element that covers the picture. add({id, className, moved(pixel, start), keyed([x, y,
-// z]), grabbed(), released()}) makes a grip; place(id, pixel) puts it, or hides it where pixel is null;
+// z]), grabbed(), released()}) makes a grip; place(id, pixel) puts it, or hides it if pixel is null;
 // name(id, text) names it.
 export function make_grips(container) {
   const grips = new Map();
@@ -62,12 +62,10 @@ export function make_grips(container) {
       if (!grip) return;
       grip.pixel = pixel;
       grip.element.hidden = !pixel;
-      if (pixel)
-        grip.element.style.transform = `translate(${pixel[0].toFixed(1)}px,${pixel[1].toFixed(1)}px)`;
+      if (pixel) grip.element.style.transform = `translate(${pixel[0].toFixed(1)}px,${pixel[1].toFixed(1)}px)`;
     },
-    show(id, is_shown) {
-      grips.get(id).element.hidden = !is_shown;
-    },
+    // Marks the grip that a step is about.
+    mark: (id, is_marked) => grips.get(id).element.classList.toggle('marked', is_marked),
     name(id, text) {
       const grip = grips.get(id);
       if (grip.text !== text) {

@@ -1,15 +1,18 @@
 // What the visitor moves in the picture: the handle, the heads of the arrows, the view of space.
 
-import {app, is_moving, is_simulated, is_space, pen, runner, value} from './app.js';
+import {app, engine, form_value, is_moving, is_simulated, is_space, pen, runner, value} from './app.js';
 import {short_number} from './format.js';
 import {make_grips} from './grips.js';
 import {keep_link} from './link.js';
-import {by_id} from './messages.js';
-import {arrow_style} from './forces.js';
+import {by_id, refuse} from './messages.js';
+import {begin_map} from './open.js';
+import {circle_path, line_path} from './pen.js';
+import {arrow_style, min_length} from './forces.js';
 import {set_paused} from './transport.js';
 
 const grips = make_grips(by_id('handles'));
-const stub = {v: [0, 40], Fh: [32, -28], Fd: [-40, 0]}; // where a grip waits while its arrow is too short to be taken [pixels]
+const arrows = ['v', 'Fh', 'Fd', 'normal'];
+const stub = {normal: [0, 40], v: [0, 40], Fh: [32, -28], Fd: [-40, 0]}; // where a grip waits while its arrow is too short to be taken [pixels]
 
 export function add_grips() {
   let from = null;
@@ -40,8 +43,7 @@ export function add_grips() {
     released: let_go,
     keyed: nudge_handle,
   });
-  for (const id of ['v', 'Fh', 'Fd'])
-    grips.add({id, moved: pixel => turn_arrow(id, pixel), keyed: move => push_arrow(id, move)});
+  for (const id of arrows) grips.add({id, moved: pixel => turn_arrow(id, pixel), keyed: move => push_arrow(id, move)});
 }
 
 function turn_view(yaw, pitch) {
@@ -54,36 +56,27 @@ export function place_grips() {
   const {picture} = app,
     at = picture.handle && picture.camera.point(picture.handle);
   grips.place('handle', at);
-  for (const id of ['v', 'Fh', 'Fd']) {
+  for (const id of ['handle', ...arrows]) grips.mark(id, id === app.question.drag);
+  for (const id of arrows) {
     const arrow = picture.arrows.find(other => other.id === id);
-    const is_free = at && !is_moving() && app.layers.has(id) && (id !== 'Fd' || app.question.id === 'wanted');
+    const is_free =
+      at &&
+      !is_moving() &&
+      app.layers.has(id) &&
+      (id !== 'Fd' || /wanted|direct/.test(app.question.id)) &&
+      (id !== 'normal' || (app.question.id === 'mine' && !is_space()));
     if (!is_free) {
       grips.place(id, null);
       continue;
     }
-    const head =
-        arrow?.head && Math.hypot(arrow.head[0] - at[0], arrow.head[1] - at[1]) > 24 ? arrow.head : null,
-      place = head || [at[0] + stub[id][0], at[1] + stub[id][1]];
-    if (!head) {
-      const style = arrow_style(id, app.theme);
-      pen.path(`M${at[0]} ${at[1]}L${place[0]} ${place[1]}`, {
-        stroke: style.color,
-        width: 1.2,
-        dash: [2, 4],
-        alpha: 0.8,
-      });
-      pen.path(`M${place[0] - 5} ${place[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0Z`, {
-        fill: app.theme.paper,
-        stroke: style.color,
-        width: 2,
-      });
-      pen.label(id === 'v' ? 'v' : 'F_{' + id[1] + '}', place[0] + 9, place[1] + 5, {
-        size: 15,
-        math: true,
-        weight: 600,
-        color: style.color,
-        halo: app.theme.paper,
-      });
+    const is_long = arrow?.head && Math.hypot(arrow.head[0] - at[0], arrow.head[1] - at[1]) > min_length,
+      place = is_long ? arrow.head : at.map((c, i) => c + stub[id][i]);
+    if (!is_long) {
+      const {color} = arrow_style(id, app.theme),
+        style = {size: 15, math: true, weight: 600, color, halo: app.theme.paper};
+      pen.path(line_path(at, place), {stroke: color, width: 1.2, dash: [2, 4], alpha: 0.8});
+      pen.path(circle_path(place, 5), {fill: app.theme.paper, stroke: color, width: 2});
+      pen.label(id === 'v' ? 'v' : `F_{${id[1]}}`, place[0] + 9, place[1] + 5, style);
     }
     grips.place(
       id,
@@ -102,14 +95,13 @@ export function name_grips() {
     unit;
   grips.name(
     'scene',
-    is_space()
-      ? 'View in space, turned by the arrow keys'
-      : 'Picture of the device. The arrow keys move the handle',
+    is_space() ? 'View in space, turned by the arrow keys' : 'Picture of the device. The arrow keys move the handle',
   );
   grips.name('handle', 'Handle at ' + text(value('x'), 100, 'cm'));
   grips.name('v', 'Velocity, ' + text(value('v'), 1, 'm/s'));
   grips.name('Fh', 'Hand force, ' + text(app.device.value('Fh'), 1, 'N'));
-  grips.name('Fd', 'Wanted force, ' + text(app.device.value('Fd'), 1, 'N'));
+  grips.name('Fd', 'Force that the wall requires, ' + text(app.device.value('Fd'), 1, 'N'));
+  grips.name('normal', 'Normal of the wall, ' + form_value('map.normal'));
 }
 
 // The visitor takes the handle: the hand by itself lets go.
@@ -158,8 +150,8 @@ function nudge_handle(move) {
 function turn_arrow(id, pixel) {
   const {camera, handle} = app.picture,
     at = camera.point(handle),
-    scale = id === 'v' ? app.picture.motion_scale : app.picture.force_scale;
-  const old = app.device.value(id),
+    scale = scale_of(id);
+  const old = vector_of(id),
     depth = old[0] * camera.towards[0] + old[1] * camera.towards[1] + old[2] * camera.towards[2];
   let d = [pixel[0] - at[0], pixel[1] - at[1]];
   if (Math.hypot(...d) < 14) d = [0, 0];
@@ -169,9 +161,13 @@ function turn_arrow(id, pixel) {
   );
 }
 
+const scale_of = id => app.picture[{v: 'motion_scale', normal: 'normal_scale'}[id] || 'force_scale'];
+const vector_of = id =>
+  id === 'normal' ? [...form_value('map.normal').split(',').map(Number), 0] : app.device.value(id);
+
 function push_arrow(id, move) {
-  const step = 8 / (id === 'v' ? app.picture.motion_scale : app.picture.force_scale),
-    old = app.device.value(id);
+  const step = 8 / scale_of(id),
+    old = vector_of(id);
   set_arrow(
     id,
     old.map((c, i) => c + step * move[i]),
@@ -179,11 +175,32 @@ function push_arrow(id, move) {
 }
 
 function set_arrow(id, vector) {
+  if (id === 'normal') return turn_wall(vector);
   if (id === 'v') app.device.move(vector);
   else {
     if (id === 'Fd') app.device.set('desired=given');
     app.device.state(app.info.joints)[id].set(vector);
   }
+  evaluate();
+}
+
+// Step 5: a wall through the handle, and the map of a hand that slides along it.
+let map_timer = 0;
+function turn_wall([x, y]) {
+  const size = Math.hypot(x, y);
+  if (!size) return;
+  const normal = [x / size, y / size].map(c => Number(c.toFixed(4))),
+    place = value('x')
+      .slice(0, 2)
+      .map(c => Number(c.toPrecision(5)));
+  if (
+    !app.device.set(
+      `map.normal=${normal}\nmap.direction=${[-normal[1], normal[0]]}\nscene=plane:${[...place, ...normal]}`,
+    )
+  )
+    return refuse(engine.error());
+  clearTimeout(map_timer);
+  map_timer = setTimeout(begin_map, 250);
   evaluate();
 }
 

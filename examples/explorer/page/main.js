@@ -1,125 +1,124 @@
 // The page: its lists are filled, its controls are wired, and what the link names is opened.
 
 import {app, engine, is_moving, is_simulated, pen, runner} from './app.js';
-import {change_setting, scene_text, show_controls} from './controls.js';
-import {element} from './format.js';
+import {change_setting, scene_text, show_controls, toggle_law} from './controls.js';
 import {add_grips, evaluate, let_go} from './hand.js';
 import {keep_link, own_link} from './link.js';
 import {by_id, refuse, say} from './messages.js';
 import {copy_text} from './numbers.js';
-import {begin, open_link, paint_map, start_runner} from './open.js';
+import {alpha_of_law, begin, open_link, paint_map, start_runner} from './open.js';
 import {save_png, save_text, watch_files} from './save.js';
 import {page_address, page_link} from './settings.js';
-import {frame, picture_svg, sound} from './show.js';
-import {questions} from './story.js';
+import {frame, picture_svg} from './show.js';
+import {law_name, parts, questions} from './story.js';
 import {read_theme, watch_theme} from './theme.js';
 import {open_log, restart, set_by_itself, set_paused, set_speed, toggle_record} from './transport.js';
 
 const is_figure = preset => /^fig/.test(preset.id);
 
-function wire() {
-  by_id('questions').append(
-    ...questions.map(question =>
-      element(
-        'a',
-        {href: page_address(question.id), 'data-id': question.id},
-        element('b', {text: question.mark, 'aria-hidden': 'true'}),
-        question.title,
-      ),
-    ),
-  );
-  for (const [id, is_here] of [
-    ['figures', is_figure],
-    ['others', preset => !is_figure(preset)],
-  ])
-    by_id(id).append(
-      ...engine.catalogue.presets
-        .filter(is_here)
-        .map(preset =>
-          element(
-            'a',
-            {href: page_address(preset.id), 'data-id': preset.id, title: preset.look},
-            preset.title,
-          ),
-        ),
-    );
-  by_id('mechanism').append(
-    ...engine.catalogue.mechanisms.map(mechanism =>
-      element('option', {value: mechanism.id, text: mechanism.label}),
-    ),
-  );
-  by_id('law').append(
-    ...engine.catalogue.laws.map(law => element('option', {value: law.id, text: law.id})),
-  );
-  by_id('map_figure').append(
-    ...engine.catalogue.figures.map((figure, k) => element('option', {value: k, text: figure.label})),
-  );
-  by_id('mechanism').addEventListener('change', event => {
-    const settings =
-      'mechanism=' +
-      event.target.value +
-      '\nhand=' +
-      (app.question.is_moving ? 'along' : 'pointer') +
-      '\ndesired=' +
-      (app.question.id === 'wanted' ? 'given' : 'scene');
-    refuse(begin(app.question, settings, null, true));
-    keep_link();
-  });
-  by_id('law').addEventListener('change', event => {
-    if (!app.device.set('law=' + event.target.value)) {
-      refuse(engine.error());
-      show_controls();
-      return;
-    }
+const on = (id, type, run) => by_id(id).addEventListener(type, run);
+const redraw = () => {
+  app.is_dirty = true;
+};
+
+function fill_lists() {
+  const {presets, mechanisms, laws, figures} = engine.catalogue;
+  const link = ({id, title, look}) => `<a href="${page_address(id)}" data-id="${id}" title="${look}">${title}</a>`,
+    option = (value, text, title = '') => `<option value="${value}" title="${title}">${text}</option>`;
+  by_id('questions').innerHTML = questions
+    .filter(question => question.short)
+    .map(
+      ({id, step, title, short}) =>
+        `<a href="${page_address(id)}" data-step="${step}" title="${title}"><b aria-hidden="true">${step}</b><span class="long">${title}</span><span class="short" aria-hidden="true">${short}</span></a>`,
+    )
+    .join('');
+  by_id('parts').innerHTML = parts
+    .map(({id, part, title}) => `<a href="${page_address(id)}" data-part="${part || ''}">${title}</a>`)
+    .join('');
+  by_id('figures').innerHTML = presets.filter(is_figure).map(link).join('');
+  by_id('others').innerHTML = presets
+    .filter(preset => !is_figure(preset))
+    .map(link)
+    .join('');
+  by_id('mechanism').innerHTML = mechanisms.map(({id, label}) => option(id, label)).join('');
+  by_id('law').innerHTML = laws.map(({id}) => option(id, law_name(id), id)).join('');
+  by_id('map_figure').innerHTML = figures.map(({label}, k) => option(k, label)).join('');
+}
+
+function choose_mechanism({target}) {
+  const {id, is_moving} = app.question,
+    desired = /wanted|direct/.test(id) ? 'given' : 'scene',
+    settings = `mechanism=${target.value}\nhand=${is_moving ? 'along' : 'pointer'}\ndesired=${desired}`;
+  refuse(begin(app.question, settings + (id === 'direct' ? '\nalpha=1' : ''), null, true));
+  keep_link();
+}
+
+function choose_law({target}) {
+  if (!app.device.set('law=' + target.value)) refuse(engine.error());
+  else {
     refuse('');
-    app.law = event.target.value;
+    app.law = target.value;
+    app.is_own = true;
     if (app.question.is_moving) {
       app.laws = [app.law];
       start_runner();
     }
-    app.is_own = true;
     evaluate();
-    show_controls();
+  }
+  show_controls();
+}
+
+function set_alpha(alpha) {
+  app.device.set('alpha=' + alpha);
+  evaluate();
+}
+
+function wire() {
+  on('mechanism', 'change', choose_mechanism);
+  on('law', 'change', choose_law);
+  on('law_list', 'change', event => toggle_law(event.target.value));
+  on('focus', 'change', event => {
+    app.focus = Number(event.target.value);
+    redraw();
   });
-  by_id('scene').addEventListener('change', event => change_setting('scene', scene_text(event.target.value)));
-  by_id('map_figure').addEventListener('change', event => {
+  on('scene', 'change', event => change_setting('scene', scene_text(event.target.value)));
+  on('map_figure', 'change', event => {
     app.map_figure = Number(event.target.value);
     paint_map();
-    app.is_dirty = true;
+    redraw();
   });
-  by_id('flip').addEventListener('click', () => {
+  on('alpha', 'input', event => {
+    const alpha = Number(event.target.value),
+      best = alpha_of_law(app.device);
+    set_alpha(Math.abs(alpha - best) < 0.013 ? best : alpha); // the slider catches at equation (12)
+  });
+  on('alpha_law', 'click', () => set_alpha(alpha_of_law(app.device)));
+  on('more', 'toggle', () => {
+    document.body.classList.toggle('with_more', by_id('more').open);
+    redraw();
+  });
+  on('flip', 'click', () => {
     if (app.device.flip()) evaluate();
     else say('This device has one pose for each place of its handle.');
   });
-  by_id('pause').addEventListener('click', () => set_paused(!app.is_paused));
-  by_id('restart').addEventListener('click', restart);
-  by_id('self').addEventListener('click', () => set_by_itself(!app.is_by_itself));
-  by_id('speed').addEventListener('change', event => set_speed(event.target.value));
-  by_id('sound').addEventListener('click', event => {
-    sound.turn(!sound.is_on);
-    event.target.setAttribute('aria-pressed', String(sound.is_on));
-  });
-  by_id('record').addEventListener('click', event => toggle_record(event.target));
-  by_id('replay').addEventListener('click', () => {
+  on('pause', 'click', () => set_paused(!app.is_paused));
+  on('restart', 'click', restart);
+  on('self', 'click', () => set_by_itself(!app.is_by_itself));
+  on('speed', 'change', event => set_speed(event.target.value));
+  on('record', 'click', event => toggle_record(event.target));
+  on('replay', 'click', () => {
     runner.send({kind: 'replay'});
     set_paused(false);
   });
-  by_id('download').addEventListener('click', () => runner.send({kind: 'log', law: app.focus}));
-  by_id('copy_link').addEventListener('click', () => {
-    const link = own_link();
-    history.replaceState(null, '', link);
+  on('download', 'click', () => runner.send({kind: 'log', law: app.focus}));
+  on('copy_link', 'click', () => {
+    history.replaceState(null, '', own_link());
     copy_text(location.href).then(() => say('The link is copied: ' + location.hash));
   });
-  by_id('save_svg').addEventListener('click', () =>
-    save_text('explorer.svg', picture_svg(), 'image/svg+xml'),
-  );
-  by_id('save_png').addEventListener('click', () =>
-    save_png('explorer.png', picture_svg(), pen.width, pen.height, 2),
-  );
-  by_id('theme').addEventListener('click', () =>
-    set_theme(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'),
-  );
-  by_id('form').addEventListener('submit', event => event.preventDefault());
+  on('save_svg', 'click', () => save_text('explorer.svg', picture_svg(), 'image/svg+xml'));
+  on('save_png', 'click', () => save_png('explorer.png', picture_svg(), pen.width, pen.height, 2));
+  on('theme', 'click', () => set_theme(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'));
+  on('form', 'submit', event => event.preventDefault());
   watch_theme(() => {
     app.theme = read_theme();
     app.is_dirty = true;
@@ -130,9 +129,7 @@ function wire() {
     keep_link();
   });
   addEventListener('keydown', shortcut);
-  new ResizeObserver(() => {
-    app.is_dirty = true;
-  }).observe(by_id('stage'));
+  new ResizeObserver(redraw).observe(by_id('stage'));
   document.addEventListener('visibilitychange', () =>
     runner.send({kind: 'pause', is_on: document.hidden || app.is_paused || !is_simulated()}),
   );
@@ -143,14 +140,8 @@ function set_theme(name) {
 }
 
 function shortcut(event) {
-  if (
-    event.ctrlKey ||
-    event.metaKey ||
-    event.altKey ||
-    /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)
-  )
-    return;
-  const question = questions[Number(event.key) - 1];
+  if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+  const question = questions.find(({step, short}) => short && step === Number(event.key));
   if (question) location.hash = page_link(question.id);
   else if (!is_moving()) return;
   else if (event.key === ' ' && event.target.tagName !== 'BUTTON' && event.target.tagName !== 'A') {
@@ -161,10 +152,10 @@ function shortcut(event) {
   else if (event.key === 'Escape') let_go();
 }
 
-if (!document.documentElement.dataset.theme && matchMedia('(prefers-color-scheme: dark)').matches)
-  set_theme('dark');
+if (!document.documentElement.dataset.theme && matchMedia('(prefers-color-scheme: dark)').matches) set_theme('dark');
 app.theme = read_theme();
 app.shown = show_controls;
+fill_lists();
 wire();
 add_grips();
 open_link();

@@ -5,7 +5,7 @@ import {make_design_map} from './design.js';
 import {refuse, warn} from './messages.js';
 import {box_of, scales_of} from './picture.js';
 import {format_settings, parse_link, parse_settings, quoted} from './settings.js';
-import {question_of, questions} from './story.js';
+import {law_name, question_of, questions} from './story.js';
 import {set_paused, set_speed} from './transport.js';
 
 const design = make_design_map(() => {
@@ -15,7 +15,7 @@ const design = make_design_map(() => {
 const preset_of = id => engine.catalogue.presets.find(preset => preset.id === id);
 const preset_laws = law => (law === 'no_direct_control' ? [law] : ['no_direct_control', law]);
 
-// Opens what a link names; without one, the hand along a wall. A link that cannot be opened leaves what is
+// Opens what a link names; without one, step 1. A link that cannot be opened leaves what is
 // shown, and the page states the reason. A link with a law that was removed opens without it.
 export function open_link() {
   const is_place = location.hash === '#stage'; // of "Skip to the device"
@@ -27,14 +27,16 @@ export function open_link() {
   const reason = open_page(link);
   if (reason && !app.device) turn_to(questions[0]);
   if (reason) warn('This link cannot be opened: ' + reason);
-  else if (is_removed) warn(`${quoted(law)} was removed, this page shows: ${app.laws.join(', ') || app.law}`);
-  else warn('');
+  else if (is_removed) {
+    const shown = (app.laws.length ? app.laws : [app.law]).map(law_name).join(', ');
+    warn(`${quoted(law)} was removed, this page shows: ${shown}`);
+  } else warn('');
 }
 
 // Returns why it cannot be opened, or nothing.
 function open_page({page, settings, reason}) {
   if (reason) return reason;
-  const name = settings ? (settings.get('page') ?? questions[1].id) : (page ?? questions[0].id),
+  const name = settings ? (settings.get('page') ?? questions[0].id) : (page ?? questions[0].id),
     question = questions.find(other => other.id === name);
   if (settings && question) {
     settings.delete('page');
@@ -42,7 +44,7 @@ function open_page({page, settings, reason}) {
   }
   if (question) return turn_to(question);
   const preset = !settings && preset_of(name);
-  if (preset) return begin(question_of(parse_settings(preset.settings)), preset.settings, preset, false);
+  if (preset) return begin(question_of(parse_settings(preset.settings), preset.id), preset.settings, preset, false);
   const expected = questions.map(other => other.id).join(', ');
   return `page = ${quoted(name)}, expected ` + (settings ? expected : expected + ' or the id of a figure');
 }
@@ -52,14 +54,12 @@ function open_page({page, settings, reason}) {
 function turn_to(question) {
   if (app.is_own && app.device) {
     const settings = parse_settings(app.device.settings());
-    settings.set('desired', question.id === 'wanted' ? 'given' : 'scene');
+    settings.set('desired', is_given(question) ? 'given' : 'scene');
+    settings.set('alpha', question.id === 'direct' ? '1' : '-1');
     settings.set('hand', question.is_moving ? 'along' : 'pointer');
     return begin(question, format_settings(settings), null, true);
   }
-  const settings = parse_settings(
-    preset_of(question.preset)?.settings ||
-      'mechanism=' + engine.catalogue.mechanisms[0].id + (question.is_moving ? '\nhand=along' : ''),
-  );
+  const settings = parse_settings(question.start || preset_of(question.preset).settings);
   if (!question.is_moving) settings.set('hand', 'pointer');
   return begin(question, format_settings(settings), null, false);
 }
@@ -99,7 +99,7 @@ export function begin(question, settings, preset, is_own) {
   app.bounds = device.bounds();
   app.box = box_of(device, app.info, question, way_of_hand());
   app.scales = scales_of(device, app.info);
-  if (!preset && (question.id === 'forces' || question.id === 'wanted')) start_still(question);
+  if (!preset && (question.id === 'forces' || is_given(question))) start_still(question);
   app.begun = (app.begun || 0) + 1;
   app.is_hollow = form_value('scene').startsWith('hollow');
   app.map = null;
@@ -122,21 +122,44 @@ function way_of_hand() {
   return [0, 1, 2].map(i => (length * (direction[i] || 0)) / Math.hypot(...direction));
 }
 
-// A motion and a wanted force to begin with where a still picture has none: the handle goes aside, and the
-// force is that of a wall in front.
+// A motion and forces to begin with where a still picture has none: the handle goes aside, the wanted force is that
+// of a wall in front, and the hand pushes against it.
 function start_still(question) {
   const {device, info} = app,
-    state = device.state(info.joints);
-  if (!Math.hypot(...device.value('v'))) device.move([0.1 * app.scales.reach, 0, 0]);
+    state = device.state(info.joints),
+    has = id => Math.hypot(...device.value(id)) > 0;
+  if (!has('v')) device.move([0.1 * app.scales.reach, 0, 0]);
   device.evaluate();
   app.scales = scales_of(device, info); // the cone of a device with more joints than needed depends on its motion
-  if (question.id !== 'wanted' || device.word('status') !== 'ok' || Math.hypot(...device.value('Fd'))) return;
-  device.set('law=no_direct_control');
-  app.law = 'no_direct_control';
-  state.Fd.set(info.dimension === 3 ? [0, 0, 0.2 / app.scales.force] : [0, -0.2 / app.scales.force, 0]);
-  device.set('desired=given');
+  if (!is_given(question) || device.word('status') !== 'ok') return;
+  const out = info.dimension === 3 ? [0, 0, 1] : [0, -1, 0],
+    size = 0.2 / app.scales.force;
+  if (!has('Fd')) {
+    if (question.id === 'wanted') device.set('law=' + (app.law = 'no_direct_control'));
+    state.Fd.set(out.map(c => size * c));
+    device.set('desired=given');
+  }
+  if (question.id === 'direct' && !has('Fh')) {
+    state.Fh.set(out.map((c, i) => size * ((i === 0 ? 0.3 : 0) - 0.5 * c)));
+    device.move(device.value('v').map((c, i) => c + 0.02 * app.scales.reach * out[i]));
+  }
   device.evaluate();
 }
+
+const is_given = question => question.id === 'wanted' || question.id === 'direct';
+
+// alpha of equation (12) at the present pose, whatever alpha is set.
+export function alpha_of_law(device) {
+  const lines = parse_settings(device.settings());
+  device.set('alpha=-1\nlaw=direct_control');
+  device.evaluate();
+  const [alpha] = device.value('alpha');
+  device.set('alpha=' + (lines.get('alpha') ?? -1) + '\nlaw=' + lines.get('law'));
+  device.evaluate();
+  return alpha;
+}
+
+const ahead = 2400; // cycles that a page shows whose visitor wants no motion [1]
 
 export function start_runner() {
   const text = app.device.settings(),
@@ -148,18 +171,21 @@ export function start_runner() {
     app.laws.map(law => text + '\nlaw=' + law),
     app.laws,
     x,
+    app.is_paused ? ahead : 0,
   );
 }
 
-function begin_map() {
+export function begin_map() {
   if (!design.begin(app.device, app.bounds)) refuse(engine.error());
   paint_map();
 }
 
 export function paint_map() {
-  app.map = design.picture(
-    app.map_figure,
-    engine.catalogue.figures[app.map_figure],
-    engine.catalogue.figures.findIndex(figure => figure.id === 'display'),
-  );
+  app.map =
+    app.question.id === 'mine' &&
+    design.picture(
+      app.map_figure,
+      engine.catalogue.figures[app.map_figure],
+      engine.catalogue.figures.findIndex(figure => figure.id === 'display'),
+    );
 }

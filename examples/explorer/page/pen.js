@@ -5,10 +5,8 @@
 // {size, color, align: "start" | "middle" | "end", weight, halo, math}; in a label "_{...}" is a subscript,
 // and a letter of a formula stands in italics.
 
-const text_fonts =
-  "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', 'Noto Sans', Arial, sans-serif";
-const math_fonts =
-  "'STIX Two Text', 'Cambria', 'P052', 'Palatino Linotype', Palatino, 'Times New Roman', serif";
+const text_fonts = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', 'Noto Sans', Arial, sans-serif";
+const math_fonts = "'STIX Two Text', 'Cambria', 'P052', 'Palatino Linotype', Palatino, 'Times New Roman', serif";
 
 // The matrix that puts an image's upper left corner, upper right and lower left one at these pixels.
 const image_matrix = (source, a, b, c) => [
@@ -21,27 +19,31 @@ const image_matrix = (source, a, b, c) => [
 ];
 
 // The parts of a label: [{text, sub}].
-export function label_parts(label) {
+function label_parts(label) {
   return label
     .split(/(_\{[^}]*\})/)
     .filter(part => part)
     .map(part => (part.startsWith('_{') ? {text: part.slice(2, -1), sub: true} : {text: part, sub: false}));
 }
 
+const font_of = (style, sub) =>
+  `${style.math && !sub ? 'italic ' : ''}${style.weight || 400} ${(style.size || 13) * (sub ? 0.75 : 1)}px ` +
+  (style.math ? math_fonts : text_fonts);
+
+// The width of a label [pixels], measured where there is a document.
+let ruler = null;
+function label_width(label, style) {
+  if (typeof document === 'undefined') return 0.55 * (style.size || 13) * label.length;
+  ruler ??= document.createElement('canvas').getContext('2d');
+  return label_parts(label).reduce((sum, part) => {
+    ruler.font = font_of(style, part.sub);
+    return sum + ruler.measureText(part.text).width;
+  }, 0);
+}
+
 export function canvas_pen(canvas) {
   const context = canvas.getContext('2d');
   let ratio = 1;
-  const font = (style, sub) => {
-    const size = (style.size || 13) * (sub ? 0.75 : 1);
-    return (
-      (style.math && !sub ? 'italic ' : '') +
-      (style.weight || 400) +
-      ' ' +
-      size +
-      'px ' +
-      (style.math ? math_fonts : text_fonts)
-    );
-  };
   return {
     width: 0,
     height: 0,
@@ -100,20 +102,13 @@ export function canvas_pen(canvas) {
       context.restore();
     },
     label(text, x, y, style = {}) {
-      const parts = label_parts(text);
-      let width = 0;
-      for (const part of parts) {
-        context.font = font(style, part.sub);
-        part.width = context.measureText(part.text).width;
-        width += part.width;
-      }
-      let at = x - (style.align === 'middle' ? width / 2 : style.align === 'end' ? width : 0);
+      let at = x - label_width(text, style) * (style.align === 'middle' ? 0.5 : style.align === 'end' ? 1 : 0);
       context.textBaseline = 'alphabetic';
       context.textAlign = 'left';
       context.lineJoin = 'round';
       context.setLineDash([]);
-      for (const part of parts) {
-        context.font = font(style, part.sub);
+      for (const part of label_parts(text)) {
+        context.font = font_of(style, part.sub);
         const base = y + (part.sub ? (style.size || 13) * 0.22 : 0);
         if (style.halo) {
           context.strokeStyle = style.halo;
@@ -122,9 +117,8 @@ export function canvas_pen(canvas) {
         }
         context.fillStyle = style.color;
         context.fillText(part.text, at, base);
-        at += part.width;
+        at += context.measureText(part.text).width;
       }
-      return width;
     },
     // An image whose upper left corner, upper right and lower left one are at these pixels.
     image(source, a, b, c, alpha) {
@@ -183,12 +177,9 @@ export function svg_pen(width, height, background) {
           (style.math ? ' font-style="italic"' : '') +
           (style.weight ? ` font-weight="${style.weight}"` : '') +
           ` text-anchor="${style.align || 'start'}" fill="${style.color}"` +
-          (style.halo
-            ? ` stroke="${style.halo}" stroke-width="4" stroke-linejoin="round" paint-order="stroke"`
-            : '') +
+          (style.halo ? ` stroke="${style.halo}" stroke-width="4" stroke-linejoin="round" paint-order="stroke"` : '') +
           `>${spans}</text>`,
       );
-      return 0;
     },
     image(source, a, b, c, alpha) {
       const matrix = image_matrix(source, a, b, c);
@@ -207,20 +198,49 @@ export function svg_pen(width, height, background) {
 
 // Texts of paths.
 const pixels = number => number.toFixed(2);
+// Labels that neither leave the picture nor lie on each other. put() draws a label at the first free place around
+// a pixel, from a direction on, at a distance, and returns its middle; take() keeps a box free.
+export function make_labels(pen) {
+  const taken = [];
+  const is_free = ([x, y, w, h]) =>
+    x - w > 3 &&
+    x + w < pen.width - 3 &&
+    y - h > 3 &&
+    y + h < pen.height - 3 &&
+    taken.every(([u, v, a, b]) => Math.abs(x - u) >= w + a || Math.abs(y - v) >= h + b);
+  return {
+    take: (x, y, w, h) => taken.push([x, y, w, h]),
+    put(text, at, direction, distance, style) {
+      const w = label_width(text, style) / 2 + 2,
+        h = 0.62 * (style.size || 13),
+        start = Math.atan2(direction[1], direction[0]);
+      let best = null;
+      for (let k = 0; k < 48 && !best; ++k) {
+        const turn = start + ((k % 2 ? 1 : -1) * Math.ceil((k % 16) / 2) * Math.PI) / 8,
+          far = distance + 13 * Math.floor(k / 16),
+          [c, s] = [Math.cos(turn), Math.sin(turn)],
+          box = [at[0] + c * (far + w), at[1] + s * (far + h), w, h];
+        if (is_free(box)) best = box;
+      }
+      best ??= [
+        Math.min(pen.width - w - 4, Math.max(w + 4, at[0] + direction[0] * (distance + w))),
+        Math.min(pen.height - h - 4, Math.max(h + 4, at[1] + direction[1] * (distance + h))),
+        w,
+        h,
+      ];
+      taken.push(best);
+      pen.label(text, best[0], best[1] + 0.36 * (style.size || 13), {...style, align: 'middle'});
+      return best;
+    },
+  };
+}
+
 export const line_path = (a, b) => `M${pixels(a[0])} ${pixels(a[1])}L${pixels(b[0])} ${pixels(b[1])}`;
 export function points_path(points, is_closed = false) {
   let d = '';
-  for (let k = 0; k < points.length; ++k)
-    d += (k ? 'L' : 'M') + pixels(points[k][0]) + ' ' + pixels(points[k][1]);
+  for (let k = 0; k < points.length; ++k) d += (k ? 'L' : 'M') + pixels(points[k][0]) + ' ' + pixels(points[k][1]);
   return is_closed && d ? d + 'Z' : d;
 }
 export function circle_path([x, y], r) {
   return `M${pixels(x - r)} ${pixels(y)}A${pixels(r)} ${pixels(r)} 0 1 1 ${pixels(x + r)} ${pixels(y)}A${pixels(r)} ${pixels(r)} 0 1 1 ${pixels(x - r)} ${pixels(y)}Z`;
-}
-// An arc from angle a to b [rad], clockwise on the screen if b > a; 0 is to the right.
-export function arc_path([x, y], r, a, b) {
-  if (Math.abs(b - a) >= 2 * Math.PI - 1e-6) return circle_path([x, y], r);
-  const large = Math.abs(b - a) > Math.PI ? 1 : 0,
-    sweep = b > a ? 1 : 0;
-  return `M${pixels(x + r * Math.cos(a))} ${pixels(y + r * Math.sin(a))}A${pixels(r)} ${pixels(r)} 0 ${large} ${sweep} ${pixels(x + r * Math.cos(b))} ${pixels(y + r * Math.sin(b))}`;
 }

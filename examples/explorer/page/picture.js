@@ -7,10 +7,14 @@ import {degrees, short_number} from './format.js';
 import {each_point} from './tracks.js';
 import {drawing_rows, handle_of, is_line_row} from './sketch.js';
 
-const cone_share = 0.36; // of the smaller side of the picture: the strongest force that the brakes make [1]
-const view_share = {still: 0.13, moving: 0.075, space: 0.06}; // of the reach, around the device at its first place [1]
+const cone_share = 0.34; // of the smaller side of the picture: the strongest force that the brakes make [1]
+const view_share = {still: 0.07, moving: 0.075, space: 0.06}; // of the reach, around the device at its first place [1]
 const motion_share = 0.13; // of the smaller side: the velocity at first [1]
 const trail_seconds = 1.6; // of the paths of the hands
+const locus_share = 0.13; // of the reach: the curve of a brake that holds, to each side [1]
+const normal_length = 84; // of the normal of step 5 [pixels]
+const sample_gap = 0.05; // between two directions of a sampled area; more is outside of it [rad]
+const min_shown = 1e-3; // of the torque limit; a torque below is written as 0 [1]
 const lens_times = 10; // enlargement of the lens
 const lens_rise = 0.06; // how fast the lens follows [1 a picture]
 
@@ -19,17 +23,16 @@ const lens_rise = 0.06; // how fast the lens follows [1 a picture]
 export function scales_of(device, info) {
   let strongest = 0;
   for (let region = 0; region < 1 << info.brakes; ++region)
-    for (const force of device.outline(region, true))
+    for (const force of device.outline(region))
       if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
   const bounds = device.bounds(),
     reach = Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
   const speed = Math.hypot(...device.value('v'));
   // Where a brake alone makes no force (n > d): what all make together, or would at half of the reach.
   if (!strongest)
-    for (const force of device.outline(-1, true))
+    for (const force of device.outline(-1))
       if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
-  if (!strongest)
-    strongest = (2 * device.value('torque_limit').reduce((sum, limit) => sum + limit, 0)) / reach;
+  if (!strongest) strongest = (2 * device.value('torque_limit').reduce((sum, limit) => sum + limit, 0)) / reach;
   return {
     force: ((info.dimension === 3 ? 0.7 : 1) * cone_share) / (strongest || 1),
     motion: speed > 0 ? motion_share / speed : 1.1 / (reach || 1),
@@ -84,127 +87,197 @@ export function margins_of({device, info, scales, bounds, width, height, layers,
   return margins;
 }
 
-// view: {device, info, scales, bounds, width, height, yaw, pitch, is_moving, tracks, focus, colors, value,
-// layers, pointer, lens_memory, map, shows_hand}.
+// view: {device, info, question, scales, bounds, margins, width, height, yaw, pitch, is_moving, tracks, focus, colors,
+// value, word, layers, brakes, pointer, lens_memory, map, normal, shows_hand, is_hollow}.
 export function make_picture(view) {
-  const {device, info, value} = view,
+  const {device, info, layers} = view,
     is_space = info.dimension === 3,
-    small = view.width < 520,
     size = Math.min(view.width, view.height);
-  const camera = fitting_camera(
-    view.bounds,
-    is_space,
-    view.width,
-    view.height,
-    view.margins,
-    view.yaw,
-    view.pitch,
-  );
+  const camera = fitting_camera(view.bounds, is_space, view.width, view.height, view.margins, view.yaw, view.pitch);
   const drawing = device.drawing(),
-    rows = drawing_rows(drawing.numbers, drawing.count);
-  const force_scale = view.scales.force * size,
-    motion_scale = view.scales.motion * size;
+    rows = drawing_rows(drawing.numbers, drawing.count),
+    made = made_force(view);
   const picture = {
     camera,
-    is_hollow: view.is_hollow,
     rows,
+    made,
+    marked: view.question.drag,
     brakes: view.brakes,
+    is_hollow: view.is_hollow,
     handle: handle_of(rows),
     cones: cones_of(view),
     references: references_of(view),
-    arrows: arrows_of(view),
-    force_scale,
-    motion_scale,
-    shown: view.layers,
+    arrows: arrows_of(view, made),
+    force_scale: view.scales.force * size,
+    motion_scale: view.scales.motion * size,
+    normal_scale: normal_length,
+    shown: layers,
     paths: [],
     others: [],
     bounds: view.bounds,
-    map: view.layers.has('map') ? view.map : null,
-    gamma: gamma_of(view),
-    walls: walls_in(device, camera, view.width, view.height, is_space, view.bounds),
+    map: layers.has('map') ? view.map : null,
+    gamma: gamma_of(view, made),
     pointer: view.is_moving ? view.pointer : null,
     shows_hand: view.shows_hand,
   };
-  if (view.is_moving) add_paths(picture, view, camera);
-  if (view.is_moving && !is_space && picture.handle) picture.lens = lens_of(picture, view, camera, small);
+  picture.walls = walls_in(view, picture);
+  if (layers.has('locus') && info.joints === 2 && !is_space) picture.locus = locus_of(view);
+  if (view.is_moving) add_paths(picture, view);
+  if (view.is_moving && !is_space && picture.handle) picture.lens = lens_of(picture, view, camera);
   return picture;
 }
 
-function walls_in(device, camera, width, height, is_space, box) {
-  if (is_space) return device.walls(box.slice(0, 2), box.slice(3, 5));
-  const low = camera.back([0, height]),
-    high = camera.back([width, 0]);
-  return device.walls(low, high);
+// What each brake does, with its torque in words. value, word: of the simulation or the device.
+export function brakes_of(device, value, word) {
+  const limits = device.value('torque_limit'),
+    unit = device.layout.find(entry => entry.id === 'torque').unit,
+    torques = value('brake_torque');
+  return (torques.length ? torques : value('torque')).map((torque, k) => {
+    const state = word('brake_state', k) || 'released',
+      share = Math.abs(torque) / limits[k],
+      text = short_number(share < min_shown ? 0 : Math.abs(torque), 2) + ' ' + unit;
+    return {state, share, text: state === 'released' ? state : state + ', ' + text};
+  });
+}
+
+// The force of the brakes within their limits, as the picture draws it and the sentences name it: in motion that of
+// the simulated brakes, at rest that of the predicted torques, or of the commanded ones if no hand is there. It
+// ends at the edge of the drawn area, which a simulated brake leaves for one cycle when its rotation reverses.
+function made_force({device, info, value, is_moving}) {
+  const [simulated, predicted, commanded] = [
+      value('brake_force'),
+      device.value('brake_force'),
+      device.value('displayed'),
+    ],
+    has_hand = length_of_vector(device.value('Fh')) > 0 && info.joints === info.dimension,
+    force = is_moving && simulated.every(Number.isFinite) ? simulated : is_moving || has_hand ? predicted : commanded;
+  if (info.dimension === 3) return force;
+  const share = share_inside(force, area_of(device, info));
+  return share > 1 - 1e-6 ? force : force.map(c => c * share);
+}
+
+// The area of the present forces. That of a device with self-motion is sampled by direction: the force that its law
+// displays is a corner of it.
+function area_of(device, info) {
+  const points = device.outline(-1),
+    angle = f => Math.atan2(f[1], f[0]);
+  if (info.joints === info.dimension || info.dimension === 3) return points;
+  const corners = [...points, device.value('displayed')].filter(f => length_of_vector(f) > 0);
+  return corners
+    .sort((a, b) => angle(a) - angle(b))
+    .flatMap((f, k) => {
+      const gap = angle(f) - angle(corners.at(k - 1)) + (k ? 0 : 2 * Math.PI);
+      return gap > sample_gap ? [[0, 0, 0], f] : [f];
+    });
+}
+
+// The share of a force that a polygon about 0 contains, at most 1.
+function share_inside(force, polygon) {
+  const cross = (a, b) => a[0] * b[1] - a[1] * b[0],
+    size = Math.hypot(...force);
+  let share = 0;
+  polygon.forEach((a, k) => {
+    const b = polygon[(k + 1) % polygon.length],
+      edge = [b[0] - a[0], b[1] - a[1]],
+      across = cross(force, edge),
+      along = cross(a, force) / across; // of the edge
+    if (Math.abs(cross(force, a)) <= 1e-9 * size * Math.hypot(...a))
+      // a corner in the direction of the force
+      share = Math.max(share, (force[0] * a[0] + force[1] * a[1]) / size ** 2);
+    else if (along > -1e-6 && along < 1 + 1e-6) share = Math.max(share, cross(a, edge) / across);
+  });
+  return Math.min(1, share || 0);
+}
+
+// The walls; behind a force that is given, the wall that would want it.
+function walls_in({device, info, width, height, bounds, question, scales, value}, {camera, handle}) {
+  if (info.dimension === 3) return device.walls(bounds.slice(0, 2), bounds.slice(3, 5));
+  const walls = device.walls(camera.back([0, height]), camera.back([width, 0])),
+    Fd = value('Fd'),
+    far = (10 * scales.reach) / length_of_vector(Fd);
+  if (walls.length || question.id !== 'wanted' || !handle || !Number.isFinite(far)) return walls;
+  return [1, -1].map(side => [handle[0] + side * far * Fd[1], handle[1] - side * far * Fd[0], 0]);
+}
+
+// The curve on which the handle moves while the brake holds that is at rest now, or was last.
+function locus_of({device, scales, brakes, lens_memory}) {
+  const holding = brakes.flatMap((brake, k) => (brake.state === 'holds' && brake.share > 0 ? [k] : []));
+  if (holding.length === 1) lens_memory.held = holding[0];
+  if (holding.length > 1 || lens_memory.held === undefined) return null;
+  return {points: device.locus(lens_memory.held, locus_share * scales.reach), is_held: holding.length === 1};
 }
 
 function cones_of({device, info, layers}) {
-  const cones = [];
-  const present = device.value('region')[0];
+  const cones = [],
+    present = device.value('region')[0],
+    name = region => (info.brakes === 2 && info.joints === 2 && region >= 0 ? 'FME ' + (region + 1) : '');
   if (layers.has('others'))
     for (let region = 0; region < 1 << info.brakes; ++region)
       if (region !== present)
         cones.push({
-          points: device.outline(region, true),
+          points: device.outline(region),
           is_present: false,
           alpha: 0.9 / (1 << info.brakes),
-          name: info.brakes === 2 ? 'FME ' + (region + 1) : '',
+          name: name(region),
         });
-  if (layers.has('cone')) cones.push({points: device.outline(-1, true), is_present: true});
+  if (layers.has('cone')) cones.push({points: area_of(device, info), is_present: true, name: name(present)});
   return cones.filter(cone => cone.points.length > 1 && cone.points.every(f => f.every(Number.isFinite)));
 }
 
+// R_i+ and R_i-; those of the present area with their size.
 function references_of({device, info, layers}) {
   if (!layers.has('references')) return [];
-  const R = device.value('R'),
-    limits = device.value('torque_limit'),
+  const [R, limits, signs] = ['R', 'torque_limit', 'signs'].map(device.value),
     references = [];
   for (let k = 0; k < info.brakes; ++k)
     for (const sign of [1, -1]) {
-      const vector = [0, 1, 2].map(i => sign * limits[k] * R[3 * k + i]);
+      const vector = [0, 1, 2].map(i => sign * limits[k] * R[3 * k + i]),
+        size = sign * signs[k] <= 0 ? ' ' + short_number(length_of_vector(vector), 2) + ' N' : '';
       if (vector.every(Number.isFinite))
-        references.push({vector, label: 'R_{' + (k + 1) + (sign > 0 ? '+' : '−') + '}'});
+        references.push({vector, label: 'R_{' + (k + 1) + (sign > 0 ? '+' : '−') + '}' + size});
     }
   return references;
 }
 
-function arrows_of({value, is_moving}) {
+function arrows_of({value, is_moving, normal}, made) {
+  const [Fc, scaled] = [value('Fc'), value('Fc_scaled')],
+    is_same = (a, b) => length_of_vector(a.map((c, i) => c - b[i])) <= 1e-9 * length_of_vector(b);
   const arrows = [
-    ...(is_moving
-      ? [{id: 'brake_force', layer: 'made', label: 'made', vector: value('brake_force')}]
-      : displayed_arrows(value)),
     {id: 'Fd', layer: 'Fd', label: 'F_{d}', vector: value('Fd')},
-    {id: 'Fr', layer: 'Fr', label: 'F_{r}', vector: value('Fr')},
-    {id: 'v', layer: 'v', label: 'v', vector: value('v'), is_motion: true},
+    ...(length_of_vector(Fc) > 1.001 * length_of_vector(made)
+      ? [{id: 'Fc', layer: 'made', label: 'F_{c}', vector: Fc}]
+      : []),
+    {
+      id: 'made',
+      layer: 'made',
+      label: is_same(made, Fc) ? 'F_{c}' : is_same(made, scaled) ? 'αF_{c}' : 'brakes',
+      vector: made,
+    },
+    {id: 'v', layer: 'v', label: 'v', vector: value('v'), scale: 'motion_scale'},
     {id: 'Fh', layer: 'Fh', label: 'F_{h}', vector: value(is_moving ? 'hand_force' : 'Fh')},
+    {id: 'Fr', layer: 'Fr', label: 'F_{r}', vector: value('Fr')},
+    {id: 'normal', layer: 'normal', label: 'n', vector: normal || [], scale: 'normal_scale'},
   ];
   return arrows.filter(arrow => arrow.vector.length === 3 && arrow.vector.every(Number.isFinite));
 }
 
 const length_of_vector = f => Math.hypot(...f);
 
-// The displayed force, named F_c or αF_c if the torque limits leave all of it, and pale the force without a law.
-function displayed_arrows(value) {
-  const displayed = value('displayed'),
-    without_law = value('displayed_without_law');
-  const is_same = (a, b) => length_of_vector(a.map((c, i) => c - b[i])) <= 1e-9 * length_of_vector(b);
-  const name = force =>
-    is_same(force, value('Fc')) ? 'F_{c}' : is_same(force, value('Fc_scaled')) ? 'αF_{c}' : '';
-  const arrow = {id: 'displayed', layer: 'made', label: name(displayed) || 'displayed', vector: displayed};
-  return is_same(displayed, without_law)
-    ? [arrow]
-    : [{id: 'without_law', layer: 'made', label: name(without_law), vector: without_law}, arrow];
+// The angle between F_d and the force of the brakes.
+function gamma_of({value, is_moving}, made) {
+  const Fd = value('Fd'),
+    sizes = length_of_vector(Fd) * length_of_vector(made),
+    [gamma] = value('gamma');
+  if (is_moving || !(sizes > 0)) return null;
+  const angle = Math.acos(Math.min(1, made.reduce((sum, c, i) => sum + c * Fd[i], 0) / sizes)),
+    is_gamma = Math.abs(angle - gamma) < 1e-4;
+  return {
+    vectors: [Fd, made],
+    text: (is_gamma ? 'γ = ' : '') + short_number(degrees(is_gamma ? gamma : angle), 3) + '°',
+  };
 }
 
-function gamma_of({value, is_moving}) {
-  const [gamma] = value('gamma'),
-    Fd = value('Fd'),
-    Fc = value('Fc');
-  if (is_moving || !Number.isFinite(gamma) || !(length_of_vector(Fd) > 0) || !(length_of_vector(Fc) > 0))
-    return null;
-  return {vectors: [Fd, Fc], text: 'γ = ' + short_number(degrees(gamma), 3) + '°'};
-}
-
-function add_paths(picture, view, camera) {
+function add_paths(picture, view) {
   const {tracks, layers} = view;
   tracks.histories.forEach((history, law) => {
     const points = [];
@@ -219,8 +292,9 @@ function add_paths(picture, view, camera) {
   });
 }
 
-function lens_of(picture, view, camera, small) {
-  const memory = view.lens_memory,
+function lens_of(picture, view, camera) {
+  const small = view.width < 520,
+    memory = view.lens_memory,
     at = picture.handle,
     normal = view.device.value('normal');
   if (Math.hypot(...normal) > 0.5) memory.normal = normal;
@@ -236,10 +310,7 @@ function lens_of(picture, view, camera, small) {
   const scale = camera.scale * lens_times,
     [depth] = view.value('depth');
   if (!(depth * scale > -2 * radius)) return null; // far from any wall there is nothing to see
-  const lens_camera = plane_camera(scale, [
-    where[0] - scale * memory.centre[0],
-    where[1] + scale * memory.centre[1],
-  ]);
+  const lens_camera = plane_camera(scale, [where[0] - scale * memory.centre[0], where[1] + scale * memory.centre[1]]);
   const low = memory.centre.map(c => c - radius / scale),
     high = memory.centre.map(c => c + radius / scale);
   return {

@@ -5,7 +5,7 @@ import {make_tracks} from './tracks.js';
 
 const late_shown = 1500; // [ms]
 
-// code, bytes: the engine; worker_code: the text of the worker. events: {started(), refused(reason),
+// code, bytes: the engine; worker_code: the text of the worker. events: {started(), came() with new rows, refused(reason),
 // log(text, device), replayed()}.
 export function make_runner(code, bytes, worker_code, events) {
   const worker = new Worker(URL.createObjectURL(new Blob([worker_code], {type: 'text/javascript'})));
@@ -16,11 +16,11 @@ export function make_runner(code, bytes, worker_code, events) {
     last: null,
     // Whether the simulation fell behind real time a moment ago.
     is_late: () => performance.now() - late_at < late_shown,
-    // Simulates devices of these settings, one for each law, from a place of the pointer [m] on.
-    start(settings, laws, point) {
+    // Simulates devices of these settings, one for each law, from a place of the pointer [m] on; so many cycles at once.
+    start(settings, laws, point, ahead) {
       runner.tracks = runner.last = null;
       runner.laws = laws;
-      worker.postMessage({kind: 'start', settings, run: ++run, point});
+      worker.postMessage({kind: 'start', settings, run: ++run, point, ahead});
     },
     // Begins the way of the hand again, and keeps what was.
     again() {
@@ -48,6 +48,7 @@ export function make_runner(code, bytes, worker_code, events) {
       });
       if (data.is_late) late_at = performance.now();
       runner.is_replay = data.is_replay;
+      events.came();
     } else events[data.kind]?.(data);
   };
   worker.postMessage({kind: 'load', code, bytes});

@@ -1,7 +1,7 @@
 // The settings of a device as a map from name to text, read from and written to the engine's lines
 // "NAME=VALUE", and the link that carries them: "#v1/PRESET" or "#v1/?NAME=VALUE&NAME=VALUE".
 
-export const link_version = 'v1';
+const link_version = 'v1';
 
 // A Map of the lines of a text.
 export function parse_settings(text) {
@@ -37,12 +37,7 @@ export const quoted = text => "'" + text.slice(0, 80) + "'";
 
 export function settings_link(settings) {
   const encode = text => encodeURIComponent(text).replace(/%2C/g, ',').replace(/%3A/g, ':');
-  return (
-    '#' +
-    link_version +
-    '/?' +
-    [...settings].map(([name, value]) => encode(name) + '=' + encode(value)).join('&')
-  );
+  return '#' + link_version + '/?' + [...settings].map(([name, value]) => encode(name) + '=' + encode(value)).join('&');
 }
 
 export function page_link(page) {

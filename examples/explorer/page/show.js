@@ -10,6 +10,7 @@ import {
   form_value,
   is_moving,
   is_simulated,
+  is_space,
   pen,
   runner,
   tracks,
@@ -17,20 +18,18 @@ import {
   word,
 } from './app.js';
 import {draw_curves} from './curves.js';
-import {element, set_sentence, short_number} from './format.js';
+import {set_sentence, short_number} from './format.js';
 import {name_grips, place_grips} from './hand.js';
 import {by_id, speak} from './messages.js';
 import {make_numbers} from './numbers.js';
 import {canvas_pen, svg_pen} from './pen.js';
 import {make_picture, margins_of} from './picture.js';
-import {make_sound} from './sound.js';
 import {draw_stage} from './stage.js';
-import {design_sentence, laws_sentence, moment_sentence, result_columns, still_sentence} from './story.js';
+import {design_sentence, law_name, laws_sentence, moment_sentence, result_columns, still_sentence} from './story.js';
 import {is_way_done, play_log} from './transport.js';
 
 const curves_pen = canvas_pen(by_id('curves')),
-  show_numbers = make_numbers(by_id('numbers'), text => speak('Copied ' + text));
-export const sound = make_sound();
+  show_numbers = make_numbers(by_id('numbers'), by_id('copy_numbers'), text => speak('Copied ' + text));
 let last_slow = 0,
   is_even = false; // the curves are drawn in every other frame
 
@@ -56,6 +55,8 @@ function view_of(width, height) {
     is_hollow: app.is_hollow,
     device: app.device,
     info: app.info,
+    question: app.question,
+    normal: app.question.id === 'mine' && !is_space() ? [...form_value('map.normal').split(',').map(Number), 0] : null,
     scales: app.scales,
     bounds: app.box,
     width,
@@ -91,12 +92,11 @@ function draw() {
       tracks(),
       app.log ? null : runner.last,
       app.theme,
-      tracks().laws,
+      tracks().laws.map(law_name),
       colors(),
       app.info.brakes,
-      app.question.id === 'watch',
+      !by_id('more').open,
     );
-    sound.play(tracks().value(app.focus, 'sound')?.[0] || 0);
   }
 }
 
@@ -104,14 +104,7 @@ export function frame(now) {
   requestAnimationFrame(frame);
   const is_running = !app.is_paused && tracks();
   if (app.log && is_running) play_log(now);
-  if (
-    is_running &&
-    is_simulated() &&
-    app.is_by_itself &&
-    !app.is_recording &&
-    !runner.is_replay &&
-    is_way_done()
-  ) {
+  if (is_running && is_simulated() && app.is_by_itself && !app.is_recording && !runner.is_replay && is_way_done()) {
     app.lens_memory = {};
     runner.again();
   }
@@ -132,116 +125,65 @@ function show_texts() {
     set_sentence(
       by_id('answer'),
       tracks().laws.length < 2
-        ? moment_sentence(tracks(), app.focus, brakes)
+        ? moment_sentence(tracks(), app.focus, brakes, is_pushing())
         : laws_sentence(tracks(), runner.last?.figures),
     );
-    show_numbers(
-      tracks().layout.values,
-      entry => tracks().value(app.focus, entry.id) || Array(entry.size).fill(NaN),
-    );
+    show_numbers(tracks().layout.values, entry => tracks().value(app.focus, entry.id) || Array(entry.size).fill(NaN));
     show_results();
   } else {
     set_sentence(
       by_id('answer'),
       app.question.id === 'mine'
         ? map_sentence()
-        : still_sentence(
-            app.question.id,
+        : still_sentence(app.question.id, {
             value,
             word,
             brakes,
-            Number(form_value('options.max_approximation_angle')),
-          ),
+            made: app.picture?.made || [0, 0, 0],
+            max_angle: Number(form_value('options.max_approximation_angle')),
+          }),
     );
     show_numbers(app.device.layout, entry => app.device.value(entry.id));
   }
+  show_alpha();
   by_id('late').hidden = !(is_simulated() && runner.is_late() && !app.is_paused);
   by_id('late').textContent = 'This machine is slower than real time: the simulation lags.';
   name_grips();
 }
 
+// The slider of step 4 stands at the present alpha.
+function show_alpha() {
+  if (app.question.id !== 'direct') return;
+  const [alpha] = value('alpha');
+  by_id('alpha').value = alpha;
+  by_id('alpha').setAttribute('aria-valuetext', 'α = ' + short_number(alpha, 3));
+}
+
+// The hand pushes into the wall.
+function is_pushing() {
+  const force = tracks().value(app.focus, 'muscle_force'),
+    normal = app.lens_memory.normal;
+  return !normal || !force || !(force[0] * normal[0] + force[1] * normal[1] >= 0);
+}
+
 function show_results() {
   const target = by_id('results');
-  target.hidden = app.laws.length < 2 || !!app.log;
-  if (target.hidden || !tracks().figures.length) return;
-  const key = app.laws.join();
-  if (target.dataset.key !== key) {
-    target.dataset.key = key;
-    target.replaceChildren(
-      element(
-        'table',
-        {},
-        element(
-          'thead',
-          {},
-          element(
-            'tr',
-            {},
-            element('th', {scope: 'col', text: 'law'}),
-            ...result_columns.map(column =>
-              element('th', {scope: 'col', text: column.title + ' [' + column.unit + ']'}),
-            ),
-          ),
-        ),
-        element(
-          'tbody',
-          {},
-          ...app.laws.map((law, k) =>
-            element(
-              'tr',
-              {},
-              element(
-                'th',
-                {scope: 'row'},
-                element('span', {class: 'swatch', style: 'background:var(--law-' + (app.slots[k] + 1) + ')'}),
-                element(
-                  'button',
-                  {
-                    type: 'button',
-                    class: 'plain',
-                    title: 'Draw the device of this law',
-                    onclick: () => {
-                      app.focus = k;
-                      app.is_dirty = true;
-                    },
-                  },
-                  law,
-                ),
-              ),
-              ...result_columns.map(() => element('td')),
-            ),
-          ),
-        ),
-      ),
-    );
-  }
-  target
-    .querySelectorAll('tbody .plain')
-    .forEach((button, k) => button.setAttribute('aria-pressed', String(k === app.focus)));
-  [...target.querySelectorAll('tbody tr')].forEach((row, k) =>
-    [...row.querySelectorAll('td')].forEach((cell, c) => {
+  target.hidden = app.laws.length < 2 || !!app.log || !tracks().figures.length;
+  if (target.hidden || !by_id('more').open) return;
+  const head = result_columns.map(({title, unit}) => `<th scope="col">${title} [${unit}]</th>`),
+    rows = app.laws.map((law, k) => {
       const figures = tracks().figures[k],
-        column = result_columns[c];
-      cell.textContent =
-        figures && (column.of < 2 || figures[7] > 1)
-          ? short_number(figures[column.of] * column.factor, 3)
-          : '–';
-    }),
-  );
+        cells = result_columns.map(({of, factor}) =>
+          figures && (of < 2 || figures[7] > 1) ? short_number(figures[of] * factor) : '–',
+        );
+      return `<tr><th scope="row" title="${law}"><span class="swatch" style="background:var(--law-${app.slots[k] + 1})"></span>${law_name(law)}</th><td>${cells.join('</td><td>')}</td></tr>`;
+    });
+  target.innerHTML = `<table><thead><tr><th scope="col">law</th>${head.join('')}</tr></thead><tbody>${rows.join('')}</tbody></table>`;
 }
 
 function map_sentence() {
-  const {map} = app,
-    figure = engine.catalogue.figures[app.map_figure];
-  return map
-    ? design_sentence(
-        figure,
-        map.known,
-        map.classes,
-        app.device.layout.find(entry => entry.id === 'display').words,
-        {direction: form_value('map.direction'), normal: form_value('map.normal')},
-      )
-    : '';
+  const words = app.device.layout.find(entry => entry.id === 'display').words;
+  return app.map ? design_sentence(engine.catalogue.figures[app.map_figure], app.map, words) : '';
 }
 
 export function picture_svg() {

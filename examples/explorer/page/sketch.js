@@ -38,10 +38,10 @@ export function drawing_rows(numbers, count) {
 }
 
 export const handle_of = rows => rows.find(row => row.kind === kinds.handle)?.point;
-export const brake_rows = rows => rows.filter(row => row.kind === kinds.brake);
+const brake_rows = rows => rows.filter(row => row.kind === kinds.brake);
 
 // brakes: for each {state: "released" | "slips" | "holds" | "no brake", share: 0 to 1, text}. look: {width
-// of a link [pixels], is_ghost, labels}.
+// of a link [pixels]}.
 export function draw_device(pen, camera, rows, brakes, theme, look) {
   const order = camera.is_space
     ? rows
@@ -51,23 +51,18 @@ export function draw_device(pen, camera, rows, brakes, theme, look) {
     : [...rows].sort((a, b) => drawing_layer(a) - drawing_layer(b));
   const all_look = {...look, enlarge: brake_enlargement(rows, camera)};
   for (const row of order) draw_row(pen, camera, row, brakes, theme, all_look);
-  if (look.labels) label_brakes(pen, camera, rows, brakes, theme, all_look.enlarge);
 }
 
 const drawing_layer = row =>
   [0, 4, 6, 1, 3, 2.5, 2, 5, 4, 8][row.kind] - (row.kind === kinds.brake ? Math.min(0.9, row.size) : 0);
 export const is_line_row = row =>
-  row.kind === kinds.link ||
-  row.kind === kinds.slide ||
-  row.kind === kinds.belt ||
-  row.kind === kinds.platform;
-const row_middle = row =>
-  is_line_row(row) ? [0, 1, 2].map(i => (row.point[i] + row.other[i]) / 2) : row.point;
+  row.kind === kinds.link || row.kind === kinds.slide || row.kind === kinds.belt || row.kind === kinds.platform;
+const row_middle = row => (is_line_row(row) ? [0, 1, 2].map(i => (row.point[i] + row.other[i]) / 2) : row.point);
 
 function draw_row(pen, camera, row, brakes, theme, look) {
   const at = camera.point(row.point),
     width = look.width;
-  const paper = look.is_ghost ? 'none' : theme.metal;
+  const paper = theme.metal;
   switch (row.kind) {
     case kinds.ground:
       return draw_ground(pen, at, Math.max(row.size * camera.scale, width), theme);
@@ -78,64 +73,33 @@ function draw_row(pen, camera, row, brakes, theme, look) {
       pen.path(d, {stroke: theme.ink, width: w});
       return pen.path(d, {stroke: paper, width: w - 2.6});
     }
-    case kinds.joint: {
-      pen.path(circle_path(at, 0.3 * width), {fill: theme.paper, stroke: theme.ink, width: 1.5});
-      return;
-    }
+    case kinds.joint:
+      return pen.path(circle_path(at, 0.3 * width), {fill: theme.paper, stroke: theme.ink, width: 1.5});
     case kinds.slide: {
       const to = camera.point(row.other),
-        across = unit_across(at, to),
-        gap = 0.28 * width;
-      for (const side of [-gap, gap])
-        pen.path(
-          line_path(
-            [at[0] + side * across[0], at[1] + side * across[1]],
-            [to[0] + side * across[0], to[1] + side * across[1]],
-          ),
-          {stroke: theme.muted, width: 1.8},
-        );
+        across = unit_across(at, to).map(c => 0.28 * width * c),
+        beside = (p, side) => p.map((c, i) => c + side * across[i]);
+      for (const side of [-1, 1])
+        pen.path(line_path(beside(at, side), beside(to, side)), {stroke: theme.muted, width: 1.8});
       for (const end of [at, to])
-        pen.path(
-          line_path(
-            [end[0] - 2 * gap * across[0], end[1] - 2 * gap * across[1]],
-            [end[0] + 2 * gap * across[0], end[1] + 2 * gap * across[1]],
-          ),
-          {stroke: theme.muted, width: 2.4},
-        );
+        pen.path(line_path(beside(end, -2), beside(end, 2)), {stroke: theme.muted, width: 2.4});
       return;
     }
     case kinds.carriage: {
-      const to = camera.point([0, 1, 2].map(i => row.point[i] + row_axis(row)[i] / camera.scale));
-      const along = [to[0] - at[0], to[1] - at[1]],
-        length = Math.hypot(...along) || 1,
-        a = along.map(c => c / length),
-        b = [-a[1], a[0]];
-      const corner = (s, t) => [
-        at[0] + 0.95 * width * s * a[0] + 0.62 * width * t * b[0],
-        at[1] + 0.95 * width * s * a[1] + 0.62 * width * t * b[1],
-      ];
-      return pen.path(points_path([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true), {
-        fill: paper,
-        stroke: theme.ink,
-        width: 1.5,
-      });
+      const to = camera.point([0, 1, 2].map(i => row.point[i] + row_axis(row)[i] / camera.scale)),
+        b = unit_across(at, to),
+        a = [b[1], -b[0]],
+        corner = (s, t) => at.map((c, i) => c + width * (0.95 * s * a[i] + 0.62 * t * b[i]));
+      const corners = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
+      return pen.path(points_path(corners, true), {fill: paper, stroke: theme.ink, width: 1.5});
     }
     case kinds.pulley: {
       const r = Math.max(row.size, 6 / camera.scale),
         axis = row_axis(row);
       pen.path(ring_path(camera, row.point, axis, r), {fill: paper, stroke: theme.muted, width: 1.4});
-      const [u, v] = across_axis(axis),
-        mark = (f, s) =>
-          camera.point(
-            [0, 1, 2].map(
-              i => row.point[i] + s * r * (Math.cos(row.angle + f) * u[i] + Math.sin(row.angle + f) * v[i]),
-            ),
-          );
-      return pen.path([0, Math.PI / 2].map(f => line_path(mark(f, -0.75), mark(f, 0.75))).join(''), {
-        stroke: theme.muted,
-        width: 1.1,
-        alpha: 0.8,
-      });
+      const mark = spokes_of(camera, row, r),
+        d = [0, Math.PI / 2].map(f => line_path(mark(f, -0.75), mark(f, 0.75))).join('');
+      return pen.path(d, {stroke: theme.muted, width: 1.1, alpha: 0.8});
     }
     case kinds.belt:
       return pen.path(line_path(at, camera.point(row.other)), {stroke: theme.muted, width: 1.6});
@@ -148,30 +112,26 @@ function draw_row(pen, camera, row, brakes, theme, look) {
   }
 }
 
+// Points of a disc that turns with its axis, by angle and share of the radius.
+function spokes_of(camera, row, r) {
+  const [u, v] = across_axis(row_axis(row));
+  return (f, s) =>
+    camera.point(
+      row.point.map((c, i) => c + s * r * (Math.cos(row.angle + f) * u[i] + Math.sin(row.angle + f) * v[i])),
+    );
+}
+
 function draw_brake(pen, camera, row, state, theme, look) {
   if (!state || state.state === 'no brake') return;
   const r = row.size * look.enlarge,
-    axis = row_axis(row),
-    [u, v] = across_axis(axis);
+    axis = row_axis(row);
   const color = theme[state.state] || theme.released,
     strength = Math.min(1, Math.max(0, state.share || 0));
   const is_working = state.state !== 'released';
-  pen.path(ring_path(camera, row.point, axis, r), {
-    fill: theme.paper,
-    stroke: theme.ink,
-    width: 1.2,
-    alpha: look.is_ghost ? 0.4 : 1,
-  });
-  const spoke = (f, s) =>
-    camera.point(
-      [0, 1, 2].map(
-        i => row.point[i] + s * r * (Math.cos(row.angle + f) * u[i] + Math.sin(row.angle + f) * v[i]),
-      ),
-    );
-  pen.path([0, 1, 2].map(k => line_path(spoke(2.0944 * k, 0.36), spoke(2.0944 * k, 0.7))).join(''), {
-    stroke: theme.muted,
-    width: 1.8,
-  });
+  pen.path(ring_path(camera, row.point, axis, r), {fill: theme.paper, stroke: theme.ink, width: 1.2});
+  const spoke = spokes_of(camera, row, r),
+    d = [0, 1, 2].map(k => line_path(spoke(2.0944 * k, 0.36), spoke(2.0944 * k, 0.7))).join('');
+  pen.path(d, {stroke: theme.muted, width: 1.8});
   const width = is_working ? 2 + 0.42 * r * camera.scale * strength : 1.6;
   pen.path(ring_path(camera, row.point, axis, r - (0.5 * width) / camera.scale), {
     stroke: color,
@@ -194,47 +154,40 @@ function brake_enlargement(rows, camera) {
 
 const min_brake_radius = 11; // radius [pixels]
 
-function label_brakes(pen, camera, rows, brakes, theme, enlarge) {
+// Names each brake, with a line from its ring to the label, as rings may have one centre.
+export function label_brakes(pen, labels, camera, rows, brakes, theme) {
   const all = brake_rows(rows),
-    handle_at = camera.point(handle_of(rows));
-  const centre = [0, 1].map(i => all.reduce((sum, row) => sum + camera.point(row.point)[i], 0) / all.length);
+    enlarge = brake_enlargement(rows, camera),
+    middle = [0, 1].map(i => all.reduce((sum, row) => sum + camera.point(row.point)[i] / all.length, 0));
   for (const row of all) {
     const state = brakes[row.number];
     if (!state || state.state === 'no brake') continue;
     const at = camera.point(row.point),
-      here = all.filter(
-        other => Math.hypot(...other.point.map((c, i) => c - row.point[i])) * camera.scale < 4,
-      ),
-      shares = here.length > 1;
-    const r = Math.max(...here.map(other => other.size)) * enlarge * camera.scale;
-    const room = 7 * state.text.length + r + 12; // of the text [pixels], about
-    const is_left =
-      at[0] + room > pen.width ||
-      (at[0] > room &&
-        (shares
-          ? row.number % 2 === 1
-          : all.length > 1 && (at[0] < centre[0] - 1 || is_beside(at, handle_at))));
-    const x = at[0] + (is_left ? -1 : 1) * (r + 7),
-      align = is_left ? 'end' : 'start';
-    pen.label('brake ' + (row.number + 1), x, at[1] - 2, {
-      size: 12,
-      color: theme.muted,
-      align,
-      halo: theme.paper,
-    });
-    pen.label(state.text, x, at[1] + 13, {
-      size: 12,
+      here = all.filter(other => Math.hypot(...other.point.map((c, i) => c - row.point[i])) * camera.scale < 4),
+      outer = Math.max(...here.map(other => other.size)) * enlarge * camera.scale,
+      is_left = here.length > 1 ? row.number % 2 === 1 : at[0] < middle[0] - 1,
+      color = state.state === 'released' ? theme.muted : theme[state.state + '_text'] || theme.ink;
+    const box = labels.put(`brake ${row.number + 1}: ${state.text}`, at, [is_left ? -1 : 1, 0], outer + 10, {
+      size: 12.5,
       weight: 600,
-      color: state.state === 'released' ? theme.muted : theme[state.state + '_text'] || theme.ink,
-      align,
+      color,
       halo: theme.paper,
     });
+    const end = [Math.min(box[0] + box[2], Math.max(box[0] - box[2], at[0])), box[1]],
+      d = end.map((c, i) => c - at[i]),
+      far = Math.hypot(...d) || 1,
+      ring = (row.size * enlarge * camera.scale - 2) / far,
+      from = at.map((c, i) => c + ring * d[i]);
+    pen.path(
+      line_path(
+        from,
+        end.map((c, i) => c - (3 * d[i]) / far),
+      ),
+      {stroke: color, width: 1.2},
+    );
+    pen.path(circle_path(from, 2.4), {fill: color});
   }
 }
-
-// Whether a label to the right of a brake would lie on the handle.
-const is_beside = (at, handle_at) =>
-  handle_at[0] > at[0] - 4 && handle_at[0] < at[0] + 110 && Math.abs(handle_at[1] - at[1]) < 34;
 
 function draw_ground(pen, at, half, theme) {
   const depth = 0.5 * half,
@@ -244,16 +197,13 @@ function draw_ground(pen, at, half, theme) {
     strokes.push(line_path([x, at[1] + 0.72 * half], [x - 0.4 * depth, at[1] + 0.72 * half + 0.6 * depth]));
   }
   pen.path(
-    points_path(
-      [at, [at[0] + 0.62 * half, at[1] + 0.72 * half], [at[0] - 0.62 * half, at[1] + 0.72 * half]],
-      true,
-    ),
+    points_path([at, [at[0] + 0.62 * half, at[1] + 0.72 * half], [at[0] - 0.62 * half, at[1] + 0.72 * half]], true),
     {fill: theme.metal, stroke: theme.ink, width: 1.5},
   );
-  pen.path(
-    line_path([at[0] - half, at[1] + 0.72 * half], [at[0] + half, at[1] + 0.72 * half]) + strokes.join(''),
-    {stroke: theme.muted, width: 1.4},
-  );
+  pen.path(line_path([at[0] - half, at[1] + 0.72 * half], [at[0] + half, at[1] + 0.72 * half]) + strokes.join(''), {
+    stroke: theme.muted,
+    width: 1.4,
+  });
 }
 
 // A circle about an axis in space, as it is seen.
@@ -282,10 +232,7 @@ function across_axis(axis) {
   const raw = [0, 1, 2].map(i => start[i] - along * axis[i]),
     length = Math.hypot(...raw),
     u = raw.map(c => c / length);
-  return [
-    u,
-    [axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2], axis[0] * u[1] - axis[1] * u[0]],
-  ];
+  return [u, [axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2], axis[0] * u[1] - axis[1] * u[0]]];
 }
 
 function unit_across(a, b) {

@@ -1,37 +1,38 @@
 // The picture: walls, device, forces, hand and paths, in the order in which they lie over each other.
 
 import {draw_spring} from './arrows.js';
-import {draw_forces, fill_cone, outline_cone} from './forces.js';
+import {draw_forces, fill_cone, name_cone, outline_cone} from './forces.js';
 import {draw_lens} from './lens.js';
-import {circle_path} from './pen.js';
-import {draw_device} from './sketch.js';
+import {circle_path, make_labels} from './pen.js';
+import {draw_device, label_brakes} from './sketch.js';
 import {draw_floor, draw_map, draw_scale} from './surroundings.js';
 import {draw_walls} from './walls.js';
 
-// picture: {camera, walls, rows, brakes, handle, cones: [{points, is_present, name}], arrows: [{id, vector,
-// label, is_force}], references: [{vector, label}], force_scale, motion_scale [pixels per N, per m/s],
-// paths: [{points, color}], others: [{point, color}], pointer, map, lens, shown: Set of layers, gamma:
-// {from, to, text}}.
+// picture: of make_picture().
 export function draw_stage(pen, picture, theme) {
   const {camera, handle, shown} = picture,
-    small = pen.width < 520;
-  const at = handle && camera.point(handle),
-    link_width = small ? 11 : 15;
+    small = pen.width < 520,
+    labels = make_labels(pen);
+  const at = handle && camera.point(handle);
+  const draw_cones = (is_present, draw) => {
+    for (const cone of picture.cones) if (cone.is_present === is_present) draw(pen, picture, at, cone, theme);
+  };
   if (picture.map && !camera.is_space) draw_map(pen, picture, theme);
   draw_walls(pen, camera, picture.walls, theme, picture.is_hollow, 18);
   if (picture.map && camera.is_space) draw_map(pen, picture, theme);
+  if (picture.map) labels.take(pen.width - 110, pen.height - 30, 110, 28);
   if (camera.is_space) draw_floor(pen, picture, theme);
-  draw_scale(pen, camera, theme);
-  if (at && shown.has('others'))
-    for (const cone of picture.cones) if (!cone.is_present) outline_cone(pen, picture, at, cone, theme);
-  if (at && shown.has('cone') && !camera.is_space)
-    for (const cone of picture.cones) if (cone.is_present) fill_cone(pen, picture, at, cone, theme);
-  draw_device(pen, camera, picture.rows, picture.brakes, theme, {
-    width: link_width,
-    labels: shown.has('brakes'),
-  });
-  if (at && shown.has('cone') && camera.is_space)
-    for (const cone of picture.cones) if (cone.is_present) fill_cone(pen, picture, at, cone, theme);
+  labels.take(0.13 * pen.width, pen.height - 16, 0.13 * pen.width, 16);
+  if (at) draw_cones(false, outline_cone);
+  if (at && !camera.is_space) draw_cones(true, fill_cone);
+  draw_device(pen, camera, picture.rows, picture.brakes, theme, {width: small ? 11 : 15});
+  if (at && camera.is_space) draw_cones(true, fill_cone);
+  if (picture.locus)
+    pen.curve([picture.locus.points.flatMap(camera.point)], {
+      stroke: theme.holds,
+      width: 3.4,
+      alpha: picture.locus.is_held ? 1 : 0.3,
+    });
   for (const path of picture.paths)
     pen.curve([path.points.flatMap(camera.point)], {stroke: path.color, width: 2, alpha: 0.8});
   for (const other of picture.others)
@@ -40,24 +41,29 @@ export function draw_stage(pen, picture, theme) {
       stroke: theme.paper,
       width: 1.5,
     });
+  if (picture.lens) labels.take(...picture.lens.at, picture.lens.radius, picture.lens.radius + 20);
   if (at) {
+    labels.take(...at, 9, 9);
     if (picture.pointer) {
       const to = camera.point(picture.pointer);
       draw_spring(pen, at, to, {stroke: theme.hand, width: 2});
       pen.path(circle_path(to, 7), {fill: theme.hand, stroke: theme.paper, width: 2});
     }
-    draw_forces(pen, picture, at, theme);
+    draw_forces(pen, picture, labels, at, theme);
+    if (shown.has('references') && !camera.is_space)
+      for (const cone of [...picture.cones].reverse()) name_cone(labels, picture, at, cone, theme);
     if (picture.shows_hand) draw_hand(pen, at, theme, small ? 0.8 : 1);
   }
+  if (shown.has('brakes')) label_brakes(pen, labels, camera, picture.rows, picture.brakes, theme);
   if (picture.lens) draw_lens(pen, picture, theme);
+  draw_scale(pen, camera, theme);
 }
 
 // A hand that holds the handle: the thumb and a finger, seen from above.
 function draw_hand(pen, at, theme, size) {
   const c = Math.cos(-0.62),
     s = Math.sin(-0.62); // the arm comes from the lower right
-  const p = (x, y) =>
-    (at[0] + size * (c * x - s * y)).toFixed(1) + ' ' + (at[1] + size * (s * x + c * y)).toFixed(1);
+  const p = (x, y) => (at[0] + size * (c * x - s * y)).toFixed(1) + ' ' + (at[1] + size * (s * x + c * y)).toFixed(1);
   const fingers = [
     [
       [-9, -3],

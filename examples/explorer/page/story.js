@@ -1,160 +1,176 @@
-// The questions of the page, and the sentences that go with what is seen. Numbers in them are the engine's.
+// The five steps of the page, the views that follow step 4, and the sentences that say what the picture means.
 
 import {degrees, short_number} from './format.js';
 
-// is_moving: the simulation runs; laws: those that it starts with; layers: what is drawn at first; preset:
-// where it begins.
+// The paper's device at its wall, the brakes just strong enough for a hand.
+const arm = 'mechanism=tendon_two_link\nbrakes.torque_limit=0.129,0.129\nq=1.6352759066114992,-1.108504851001068\n';
+const along = 'qd=-0.314448465631,0.275585167518\nlaw=no_direct_control\n';
+
+// id: of the link. step: in the row of steps. drag: the grip of the step. preset or start: the device at first.
+// layers: what is drawn. A view that moves has its laws and its speed.
 export const questions = [
   {
-    id: 'watch',
-    mark: '▶',
-    title: 'Watch a hand glide along a wall',
-    is_moving: true,
-    preset: 'fig9-none',
-    laws: ['no_direct_control', 'velocity_direct_control'],
-    layers: ['brakes', 'paths'],
-    lead: 'One hand, one wall, two control laws. Without a law the hand bounces off the wall again and again. With the right law it glides. Take the handle and feel it.',
-  },
-  {
     id: 'forces',
-    mark: '1',
-    title: 'Which forces can it make here?',
-    preset: 'fig2',
-    layers: ['cone', 'others', 'references', 'v', 'Fh', 'brakes'],
-    lead: 'The green area holds every force that the brakes can make at this place, while the handle moves along v. Drag the handle, or the head of v: the area changes.',
+    step: 1,
+    title: 'Brakes only resist',
+    short: 'Resist',
+    drag: 'v',
+    start: arm + along + 'scene=none\n',
+    layers: ['cone', 'others', 'references', 'v'],
+    lead: 'A brake resists motion, it never pushes. Drag the arrowhead of v: the area of forces that the brakes can produce flips.',
   },
   {
     id: 'wanted',
-    mark: '2',
-    title: 'What becomes of a wanted force?',
-    preset: 'fig3-Fd2',
+    step: 2,
+    title: 'A wall requires more',
+    short: 'Wall',
+    drag: 'Fd',
+    start: arm + along + 'scene=none\ndesired=given\nFd=0,-2.4\n',
     layers: ['cone', 'Fd', 'made', 'v', 'brakes'],
-    lead: 'A wall wants the black force. The brakes make the orange one. Drag the black arrowhead into the green area and out of it.',
+    lead: 'A virtual wall requires the force F_d, straight out of its surface. Drag its arrowhead: if it leaves the area, the brakes display the nearest force.',
   },
   {
     id: 'why',
-    mark: '3',
-    title: 'Why does it bounce?',
+    step: 3,
+    title: 'Why the hand bounces',
+    short: 'Bounce',
+    drag: 'handle',
     is_moving: true,
     preset: 'fig9-none',
     laws: ['no_direct_control'],
     speed: '0.1',
-    layers: ['cone', 'Fd', 'made', 'Fh', 'v', 'brakes', 'paths'],
-    lead: 'Ten times slower: the wall pushes straight out, but the brakes can only push askew. When a brake holds, the handle can only move on a curve, and the curve leads out of the wall.',
+    layers: ['cone', 'Fd', 'made', 'locus', 'brakes', 'paths'],
+    lead: 'A brake that holds leaves the handle one curve, drawn in blue. The curve leads out of the wall. Ten times slower than real time.',
+  },
+  {
+    id: 'direct',
+    step: 4,
+    title: 'Direct control',
+    short: 'Control',
+    drag: 'alpha',
+    start: arm + 'qd=-0.3072,0.2536\nlaw=direct_control\ndesired=given\nFd=0,-2.4\nFh=1.4,1.2\nalpha=1\n',
+    layers: ['cone', 'made', 'Fh', 'Fr', 'brakes'],
+    lead: 'Direct control makes the brakes weaker, by a factor α, until hand and brakes together push along the wall only (Fig. 6).',
   },
   {
     id: 'laws',
-    mark: '4',
-    title: 'Which law helps?',
+    step: 4,
+    part: 'paper',
+    title: "The hand under the paper's law",
+    drag: 'handle',
     is_moving: true,
-    preset: 'fig9-none',
+    preset: 'fig8',
     laws: ['no_direct_control', 'saturated_direct_control', 'velocity_direct_control'],
     layers: ['brakes', 'paths'],
-    lead: 'Three devices, one motion of the hand. The law that helps has a flat curve of depth: the hand stays in the wall, and does not leave it.',
+    lead: 'The same hand on several devices, each under its own law: without control it bounces, under direct control it glides.',
+  },
+  {
+    id: 'watch',
+    step: 4,
+    part: 'recommended',
+    title: 'The hand under the recommended law',
+    drag: 'handle',
+    is_moving: true,
+    preset: 'fig9-none',
+    laws: ['no_direct_control', 'velocity_direct_control'],
+    layers: ['brakes', 'paths'],
+    lead: 'The wall is updated only 20 times a second. Without control the hand bounces; under velocity control, which accounts for inertia and brake lag, it glides.',
   },
   {
     id: 'mine',
-    mark: '5',
+    step: 5,
     title: 'Would my device do?',
+    short: 'Device',
+    drag: 'normal',
     preset: 'wall',
-    layers: ['map', 'brakes'],
-    opens_form: true,
-    lead: 'Change lengths, brakes and limits in the form: the colours show where your device renders the wall well. The link of this page then carries your device.',
+    layers: ['map', 'normal'],
+    lead: 'Choose a device, set its lengths and brakes under More, and turn the wall by the arrowhead of n: the colours show where the device can render it.',
   },
 ];
 
-// The question under which a preset is shown, by what its settings hold.
-export function question_of(settings) {
+// The views of step 4, in their order, each with the link that opens it.
+export const parts = [
+  {id: 'direct', title: 'Set α yourself'},
+  {id: 'fig8', part: 'paper', title: "The paper's law"},
+  {id: 'watch', part: 'recommended', title: 'The recommended law'},
+];
+
+const law_names = {
+  no_direct_control: 'no control',
+  direct_control: 'direct control (as printed)',
+  saturated_direct_control: 'direct control (the paper)',
+  velocity_direct_control: 'velocity control (recommended)',
+  on_off_control: 'on-off control',
+};
+export const law_name = id => law_names[id] || id;
+
+// The view in which a preset is shown, by its settings.
+export function question_of(settings, id = '') {
   const has = name => settings.has(name),
-    named = id => questions.find(question => question.id === id);
+    named = name => questions.find(question => question.id === name);
+  if (id === 'fig6') return named('direct');
   if (has('brakes.present')) return named('mine');
-  if (settings.get('hand') === 'along')
-    return named(settings.get('law') === 'no_direct_control' ? 'why' : 'laws');
+  if (settings.get('hand') === 'along') return named(settings.get('law') === 'no_direct_control' ? 'why' : 'laws');
   if (has('Fd') || has('Fh')) return named('wanted');
   return named(has('qd') || settings.get('scene') === 'none' ? 'forces' : 'laws');
 }
 
 export const layers = [
-  {id: 'cone', label: 'forces that can be made now', style: 'cone'},
-  {id: 'others', label: 'for other directions', style: 'others'},
-  {id: 'references', label: 'reference forces R', style: 'references'},
-  {id: 'Fd', label: 'wanted force F_{d}', style: 'Fd'},
-  {id: 'made', label: 'made force', style: 'Fc_scaled'},
-  {id: 'v', label: 'velocity v', style: 'v'},
-  {id: 'Fh', label: 'hand force F_{h}', style: 'Fh'},
-  {id: 'Fr', label: 'hand and brakes F_{r}', style: 'Fr'},
-  {id: 'brakes', label: 'brakes in words', style: ''},
-  {id: 'paths', label: 'paths of the hands', style: ''},
-  {id: 'map', label: 'design map', style: ''},
+  {id: 'cone', label: 'forces the brakes can produce', mark: 'area', color: 'cone'},
+  {id: 'others', label: 'for other motions', mark: 'area', color: 'faint'},
+  {id: 'references', label: 'one brake only, R', mark: 'line', color: 'muted'},
+  {id: 'Fd', label: 'force that the wall requires, F_{d}', mark: 'line', color: 'wanted'},
+  {id: 'made', label: 'force of the brakes', mark: 'line', color: 'made'},
+  {id: 'v', label: 'velocity v', mark: 'line', color: 'motion'},
+  {id: 'Fh', label: 'force of the hand, F_{h}', mark: 'line', color: 'hand'},
+  {id: 'Fr', label: 'resultant of hand and brakes, F_{r}', mark: 'line', color: 'result'},
+  {id: 'locus', label: 'curve of the handle while a brake holds', mark: 'curve', color: 'holds'},
+  {id: 'normal', label: 'out of the wall, n', mark: 'line', color: 'wanted'},
+  {id: 'brakes', label: 'brakes in words'},
+  {id: 'paths', label: 'paths of the hands'},
+  {id: 'map', label: 'design map'},
 ];
 
-const newton = value => '*' + short_number(value, 3) + ' N*';
-const length_of = vector => Math.hypot(...vector);
+const size_of = vector => Math.hypot(...vector);
+export const newton = value => `*${value >= 1e4 ? short_number(value / 1e3) + ' kN' : short_number(value) + ' N'}*`;
 
-// What the present state means, for the questions without motion. value(id), word(id): of the engine.
-// max_angle: of the approximation [rad].
-export function still_sentence(question, value, word, brakes, max_angle) {
-  const moving = length_of(value('v')) > 0,
-    states = brakes.map((brake, k) => 'brake ' + (k + 1) + ' ' + brake.state);
-  if (question === 'forces') {
-    if (has_no_brake(value, brakes)) return no_brake_text;
-    if (!moving && length_of(value('Fh')) === 0)
-      return 'Nothing moves and nobody pushes: a brake at rest then makes no force. Drag the head of *v*, or of the hand force *F_h*.';
-    return (
-      'The brakes can make *every force in the green area*, and none outside of it. Each of them resists the motion: brakes never push. ' +
-      list(states, true) +
-      '.'
-    );
-  }
-  return question === 'wanted' ? displayed_sentence(value, word, brakes, max_angle) : '';
+// What a pose means. state: {value(id), word(id, k), brakes, made: the force that is drawn [N], max_angle [rad]}.
+export function still_sentence(question, state) {
+  if (question === 'forces') return area_sentence(state);
+  if (question === 'direct') return scaled_sentence(state);
+  return question === 'wanted' ? made_sentence(state) : '';
 }
 
-// What the device displays of F_d, within the torque limits.
-function displayed_sentence(value, word, brakes, max_angle) {
+function area_sentence({value, brakes}) {
+  const region = value('region')[0],
+    name = region >= 0 && value('R_defined')[0] ? `, *passive FME ${region + 1}*,` : '';
+  if (has_no_brake(value, brakes)) return no_brake_text;
+  return size_of(value('v'))
+    ? `The brakes can produce every force in the green area${name} and none outside it, because each torque must oppose the rotation of its brake.`
+    : 'Nothing moves. A brake at rest holds against a push from either side, so the area extends to both sides of the handle.';
+}
+
+// What the brakes make of F_d within the torque limits.
+function made_sentence({value, word, brakes, made, max_angle}) {
   const Fd = value('Fd'),
-    F = value('displayed'),
-    desired = length_of(Fd),
-    displayed = length_of(F);
-  if (word('status') !== 'ok') return 'The brakes are released: ' + word('status') + '.';
-  if (desired === 0)
-    return 'No force is wanted here. Drag the black arrowhead, or move the handle into a wall.';
-  if (displayed === 0) return released_sentence(value, brakes, max_angle);
-  const off = angle_between(Fd, F),
-    is_nearest = Math.abs(off - value('gamma')[0]) < same_direction,
-    limit = limit_text(value, word),
-    holding = holding_text(value, brakes),
-    size = (holding && 'up to ') + newton(displayed),
-    links = value('capacity').some(capacity => capacity > 0)
-      ? ''
-      : ' The brakes are released: the links themselves hold this force.';
-  const rest = (limit && ': ' + limit) + '.' + scale_text(value('alpha')[0]) + holding + links;
-  if (off < same_direction && Math.abs(displayed - desired) < same_size * desired)
-    return (
-      'The device displays F_d *exactly*, ' +
-      size +
-      (limit || links ? '' : ': it lies in the green area') +
-      rest
-    );
+    [wanted, size] = [Fd, made].map(size_of);
+  if (word('status') !== 'ok') return `The brakes are released: ${word('status')}.`;
+  if (has_no_brake(value, brakes)) return no_brake_text;
+  if (wanted === 0) return 'The handle is free: no force is required here. Drag the arrowhead of F_d.';
+  if (size === 0 && size_of(value('displayed')) > 0) return 'The brakes hold, and nobody pushes: *no force* is felt.';
+  if (size === 0 && size_of(value('displayed_without_law')) > 0)
+    return 'The law releases the brakes here: nothing is felt.';
+  if (size === 0)
+    return `*No force* in the green area is within ${short_number(degrees(max_angle))}° of F_d. The brakes are released: nothing is felt.`;
+  const off = angle_between(Fd, made),
+    rest = '.' + alpha_text(value) + limit_text(value, word, brakes);
+  if (off < same_direction && Math.abs(size - wanted) < same_size * wanted)
+    return `F_d is in the green area. The brakes display it *exactly*: ${newton(size)}${rest}`;
   if (off < same_direction)
-    return (
-      'Direction *exact*, ' +
-      size +
-      (displayed < desired ? ' of the ' : ' instead of ') +
-      newton(desired) +
-      rest
-    );
-  return (
-    'F_d lies outside the green area. The ' +
-    (is_nearest ? 'nearest force that the device can display' : 'displayed force') +
-    ' is *' +
-    short_number(degrees(off), 3) +
-    '° off*' +
-    (is_nearest ? ' (γ)' : '') +
-    ': what is across F_d is felt as a pull along the wall. The device displays ' +
-    size +
-    (limit && is_nearest ? ' of the ' + newton(length_of(value('Fc'))) + ' needed' : '') +
-    rest
-  );
+    return `The brakes display the direction of F_d *exactly*, and ${newton(size)} of ${newton(wanted)}${rest}`;
+  const nearest =
+    Math.abs(off - value('gamma')[0]) < same_direction ? ' (γ), the nearest force that they can produce' : '';
+  return `F_d is outside the green area. The brakes display ${newton(size)}, *${short_number(degrees(off))}° off*${nearest}. The hand feels the difference as a pull along the wall${rest}`;
 }
 
 const same_direction = 1e-4, // [rad]
@@ -162,174 +178,128 @@ const same_direction = 1e-4, // [rad]
 
 // Stays accurate for small angles.
 function angle_between(a, b) {
-  const [u, v] = [a, b].map(f => f.map(c => c / length_of(f)));
-  return 2 * Math.asin(Math.min(1, length_of(u.map((c, i) => c - v[i])) / 2));
+  const [u, v] = [a, b].map(f => f.map(c => c / size_of(f)));
+  return 2 * Math.asin(Math.min(1, size_of(u.map((c, i) => c - v[i])) / 2));
 }
 
-// Why nothing is displayed.
-function released_sentence(value, brakes, max_angle) {
-  if (has_no_brake(value, brakes)) return no_brake_text;
-  if (length_of(value('displayed_without_law')) > 0)
-    return 'The law releases the brakes here: nothing is felt.';
-  return (
-    '*No force* of the green area comes within ' +
-    short_number(degrees(max_angle), 3) +
-    '° of F_d. The brakes are released: nothing is felt.'
-  );
+// The part of the resultant out of the wall, as the sentence of step 4 and its picture use it [N].
+export function normal_part(value) {
+  const Fd = value('Fd'),
+    size = size_of(Fd);
+  return size > 0 ? value('Fr').reduce((sum, c, i) => sum + (c * Fd[i]) / size, 0) : 0;
+}
+
+function scaled_sentence(state) {
+  const {value, brakes} = state,
+    part = normal_part(value),
+    alpha = `α = *${short_number(value('alpha')[0])}*: `,
+    holding = list(brakes.flatMap(({state, share}, k) => (state === 'holds' && share > 0 ? ['brake ' + (k + 1)] : [])));
+  if (!size_of(value('Fd'))) return made_sentence(state);
+  if (Math.abs(part) < 5e-3 * size_of(value('Fh')))
+    return alpha + '*nothing* of the resultant F_r is left across the wall. The hand *glides*.';
+  if (part > 0)
+    return `${alpha}${holding && holding + ' holds, and '}the resultant F_r pushes the handle *out* of the wall with ${newton(part)}: the hand *bounces*. Make α smaller.`;
+  return `${alpha}the resultant F_r pushes the handle *into* the wall with ${newton(-part)}: the brakes are too weak, and the hand *sinks in*. Make α larger.`;
 }
 
 const no_brake_text = 'No brake has a torque limit above 0: nothing is felt.';
 const has_no_brake = (value, brakes) =>
   value('torque_limit').every((limit, k) => limit === 0 || brakes[k].state === 'no brake');
 
-// "both brakes are at their limit"; empty if none is.
-function limit_text(value, word) {
+// The brakes at their limit, and those at rest, which only balance the hand.
+function limit_text(value, word, brakes) {
   const shares = value('torque_share'),
-    names = shares.flatMap((share, k) => (share > 1 - 1e-9 ? ['brake ' + (k + 1)] : []));
-  if (!names.length) return word('saturated') === 'yes' ? 'the torque limits are applied before α' : '';
-  if (names.length === 1) return names[0] + ' is at its limit';
+    is_balancing = k => brakes[k].state === 'holds' && brakes[k].share < shares[k] - same_size,
+    names = test =>
+      list(
+        shares.flatMap((_, k) => (test(k) ? ['brake ' + (k + 1)] : [])),
+        true,
+      ),
+    limited = names(k => shares[k] > 1 - 1e-9 && !is_balancing(k)),
+    balancing = names(k => is_balancing(k));
   return (
-    (names.length < shares.length ? list(names) : shares.length === 2 ? 'both brakes' : 'all brakes') +
-    ' are at their limit'
-  );
+    (limited ? ` At the torque limit: ${limited}.` : '') +
+    (balancing ? ` At rest, with only as much as the hand pushes: ${balancing}.` : '') +
+    (!limited && !balancing && word('saturated') === 'yes' ? ' The torque limits are applied before α.' : '')
+  ).replace(/: Brake/g, ': brake');
 }
 
-// A brake at rest only balances the hand.
-function holding_text(value, brakes) {
-  const capacity = value('capacity'),
-    torque = value('torque'),
-    is_commanded = value('torque_share').map(share => share > same_size);
-  return brakes
-    .map((brake, k) =>
-      brake.state === 'holds' && is_commanded[k] && Math.abs(torque[k]) < capacity[k]
-        ? ` Brake ${k + 1} holds: it gives only as much as the hand pushes, now *${brake.made}*.`
-        : '',
-    )
-    .join('');
-}
+const alpha_text = value =>
+  value('alpha')[0] < 1 ? ` This is αF_c with α = *${short_number(value('alpha')[0])}*.` : '';
 
-const scale_text = alpha =>
-  alpha < 1
-    ? ' The law takes only α = *' + short_number(alpha, 3) + '* of it, so that the hand is not thrown off.'
-    : '';
-
-// What happens at this moment of the simulation, in one sentence.
-export function moment_sentence(tracks, law, brakes) {
+// What happens at this moment of the simulation. is_pushing: the hand pushes into the wall.
+export function moment_sentence(tracks, law, brakes, is_pushing) {
   const depth = tracks.value(law, 'depth')?.[0];
   if (depth === undefined) return '';
-  const holding = brakes
-    .map((brake, k) => (brake.state === 'holds' ? 'brake ' + (k + 1) : ''))
-    .filter(text => text);
-  const millimetres = '*' + short_number(Math.abs(1e3 * depth), 2) + ' mm*',
+  const holding = brakes.flatMap((brake, k) => (brake.state === 'holds' ? ['brake ' + (k + 1)] : [])),
+    hold = holding.length > 1 ? 'hold' : 'holds',
+    deep = `*${short_number(Math.abs(1e3 * depth), 2)} mm*`,
     out = leaving(tracks, law);
   if (!(depth > 0))
-    return (
-      'The handle is free, ' +
-      millimetres +
-      ' off the wall. The brakes are released, and the hand presses it back.'
-    );
+    return `The handle is ${deep} off the wall: the brakes are released, and the hand ${is_pushing ? 'pushes it back' : 'keeps it there'}.`;
+  if (holding.length && out && !is_pushing) return 'The hand pulls the handle off the wall on purpose: no bounce.';
   if (holding.length && out)
-    return (
-      '*Bounce:* ' +
-      list(holding) +
-      ' holds, so the handle can only move on a curve. Here the curve leads *out* of the wall, ' +
-      millimetres +
-      ' deep.'
-    );
+    return `*Bounce:* the hand pushes in, but ${list(holding)} ${hold} and the blue curve leads *out*. The handle is still ${deep} deep.`;
   if (holding.length)
-    return list(holding, true) + ' holds. The handle is ' + millimetres + ' deep and cannot sink further.';
-  return (
-    'The handle is ' +
-    millimetres +
-    ' deep in the wall and moves ' +
-    (out ? 'out' : 'in') +
-    (brakes.some(brake => brake.state === 'slips')
-      ? '. The brakes slip: they resist, and nothing is stuck.'
-      : '. The brakes are released.')
-  );
+    return `${list(holding, true)} ${hold}: the handle can only move on the blue curve. It is ${deep} deep.`;
+  const slips = brakes.some(brake => brake.state === 'slips') ? 'The brakes slip' : 'The brakes are released';
+  return `The handle is ${deep} deep and moves ${out ? 'out' : 'in'}. ${slips}: nothing holds it.`;
 }
 
-// Whether the handle moves out of the wall: the sign of the last change of depth.
+// True if the handle moves out of the wall, by the last change of depth.
 function leaving(tracks, law) {
-  const history = tracks.histories[law];
-  if (history.count < 3) return false;
-  const n = history.depth.length;
-  return history.depth[(history.count - 1) % n] < history.depth[(history.count - 3) % n];
+  const history = tracks.histories[law],
+    n = history.depth.length;
+  return history.count > 2 && history.depth[(history.count - 1) % n] < history.depth[(history.count - 3) % n];
 }
 
 // last: the figures of the pass before, which count until this pass has gone on for a while.
 export function laws_sentence(tracks, last) {
   const is_early = last && !(tracks.figures[0]?.[7] > 1),
     figures = is_early ? last : tracks.figures;
-  const known = tracks.laws
-    .map((law, k) => ({law, figures: figures[k]}))
-    .filter(entry => entry.figures && entry.figures[7] > 0.2);
+  const known = tracks.laws.map((law, k) => ({law, figures: figures[k]})).filter(entry => entry.figures?.[7] > 0.2);
   if (known.length < 2) return 'The hand comes to the wall.';
-  const counts = [...new Set(known.map(entry => entry.figures[0]))].sort((a, b) => a - b);
-  const parts = counts.map(
+  const counts = [...new Set(known.map(entry => entry.figures[0]))].sort((a, b) => b - a);
+  const said = counts.map(
     count =>
       '*' +
-      times(count) +
+      (count === 0 ? 'never' : count === 1 ? 'once' : short_number(count) + ' times') +
       '* under ' +
-      list(known.filter(entry => entry.figures[0] === count).map(entry => '*' + entry.law + '*')),
+      list(known.filter(entry => entry.figures[0] === count).map(entry => '*' + law_name(entry.law) + '*')),
   );
-  return (is_early ? 'On the last way' : 'So far') + ' the hand left the wall ' + list(parts) + '.';
+  return (is_early ? 'On the last pass' : 'So far') + ' the hand bounced off the wall ' + list(said) + '.';
 }
 
-const times = count => (count === 0 ? 'never' : count === 1 ? 'once' : short_number(count) + ' times');
-
-function list(parts, is_start = false) {
-  const text = parts.length < 2 ? parts.join('') : parts.slice(0, -1).join(', ') + ' and ' + parts.at(-1);
+function list(names, is_start = false) {
+  const text = names.length < 2 ? names.join('') : names.slice(0, -1).join(', ') + ' and ' + names.at(-1);
   return is_start ? text.charAt(0).toUpperCase() + text.slice(1) : text;
 }
 
-// "1,-0" with numbers as a reader sees them.
-const vector_text = text =>
-  text
-    .split(',')
-    .map(x => short_number(Number(x)))
-    .join(', ');
-
-// What a design map says. known: the numbers of all places in reach, from the least on; classes: how each
-// place displays the wall, with its words; task: {direction, normal} in text.
-export function design_sentence(figure, known, classes, words, task) {
-  if (!known.length) return 'The map is being computed.';
-  const share = test =>
-      '*' +
-      short_number((100 * classes.filter(place => test(words[place])).length) / classes.length, 2) +
-      ' %*',
-    unit = figure.unit && figure.unit !== '1' ? ' ' + figure.unit : '';
-  if (figure.id === 'cosine')
-    return (
-      'At ' +
-      share(word => word === 'exact' || word === 'approximate') +
-      ' of all places the brakes can make a force against a wall with the normal (' +
-      vector_text(task.normal) +
-      ') while the hand moves along (' +
-      vector_text(task.direction) +
-      '): yellow is straight against it, dark is hardly. At the others they can make none.'
-    );
-  return (
-    figure.look +
-    ' Over all places that it reaches the median is *' +
-    short_number(known[known.length >> 1], 3) +
-    unit +
-    '*, the least *' +
-    short_number(known[0], 3) +
-    unit +
-    '*, the most *' +
-    short_number(known.at(-1), 3) +
-    unit +
-    '*.'
-  );
+// The answer of step 5. known: the numbers of all places in reach, from the least on; classes: how each place
+// displays the wall, with its words; done: share of the map.
+export function design_sentence(figure, {known, classes, done}, words) {
+  if (done < 1) return `The map is being computed: *${Math.round(100 * done)} %*.`;
+  if (!known.length)
+    return '*No:* the device reaches none of the places of the map. Its links differ too much in length, or the chain cannot close.';
+  if (figure.id !== 'cosine') {
+    const [median, least, most] = [known[known.length >> 1], known[0], known.at(-1)].map(x => short_number(x)),
+      unit = figure.unit && figure.unit !== '1' ? ' ' + figure.unit : '';
+    return `${figure.look} Over all places in reach the median is *${median}${unit}*, from ${least} to ${most}${unit}.`;
+  }
+  const none = classes.filter(place => !/exact|approximate/.test(words[place])).length,
+    share = Math.max(1, Math.round((100 * none) / classes.length)),
+    task = 'push out of this wall while the hand slides along it.';
+  if (!none) return '*Yes:* everywhere in its reach the brakes can ' + task;
+  if (none === classes.length) return `*No:* nowhere in its reach can the brakes ${task} The hand sinks in.`;
+  return `*Not everywhere:* at the grey places, *${share} %* of its reach, the brakes cannot ${task} There the hand sinks in.`;
 }
 
 // The columns of the table of laws: figure of sim_figures(), factor to the unit that is shown.
 export const result_columns = [
-  {title: 'left the wall', of: 0, factor: 1, unit: 'times'},
-  {title: 'deepest', of: 1, factor: 1e3, unit: 'mm'},
-  {title: 'depth, mean', of: 2, factor: 1e3, unit: 'mm'},
-  {title: 'unrest of depth', of: 3, factor: 1e3, unit: 'mm'},
+  {title: 'bounces', of: 0, factor: 1, unit: '1'},
+  {title: 'max. depth', of: 1, factor: 1e3, unit: 'mm'},
+  {title: 'mean depth', of: 2, factor: 1e3, unit: 'mm'},
+  {title: 'deviation of the depth', of: 3, factor: 1e3, unit: 'mm'},
   {title: 'a brake sticks', of: 4, factor: 100, unit: '%'},
   {title: 'pull along the wall', of: 5, factor: 1, unit: 'N'},
 ];

@@ -23,9 +23,15 @@ export function draw_map(pen, picture, theme) {
       {fill: color},
     ),
   );
-  pen.label(map.texts[0], x, y + 23, {size: 12, color: theme.muted, halo: theme.paper});
-  pen.label(map.texts[1], x + width, y + 23, {size: 12, align: 'end', color: theme.muted, halo: theme.paper});
-  pen.label(map.title, x + width, y - 7, {size: 12.5, align: 'end', color: theme.ink, halo: theme.paper});
+  const text = (label, at, line, align, color = theme.muted) =>
+    pen.label(label, at, y + line, {size: 12, align, color, halo: theme.paper});
+  text(map.texts[0], x, 23);
+  text(map.texts[1], x + width, 23, 'end');
+  text(map.title, x + width, -7, 'end', theme.ink);
+  if (map.none) {
+    pen.path(`M${x - 30} ${y}h16v9h-16Z`, {fill: map.none, stroke: theme.muted, width: 0.8});
+    text('none', x - 22, 23, 'middle');
+  }
 }
 
 // A grid on the floor of the space that the device reaches, so that turning it is seen.
@@ -72,7 +78,8 @@ export function draw_floor(pen, picture, theme) {
 // A bar of a round length.
 export function draw_scale(pen, camera, theme) {
   const length =
-    [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2].findLast(l => l * camera.scale < 0.22 * pen.width) || 0.01;
+    [0.01, 0.1, 1, 10, 100, 1000].flatMap(l => [l, 2 * l, 5 * l]).findLast(l => l * camera.scale < 0.22 * pen.width) ||
+    0.01;
   const x = 18,
     y = pen.height - 18,
     end = x + length * camera.scale;

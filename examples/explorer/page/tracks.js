@@ -42,8 +42,7 @@ export function make_tracks(layout, laws) {
       const length = layout.row,
         count = numbers.length / length;
       for (let k = 0; k < count; ++k)
-        if (counts[law]++ % track_step === 0)
-          add_point(histories[law], numbers.subarray(k * length, (k + 1) * length));
+        if (counts[law]++ % track_step === 0) add_point(histories[law], numbers.subarray(k * length, (k + 1) * length));
       if (count) rows[law] = numbers.subarray((count - 1) * length);
     },
     // The numbers of a value in the last row of a law; null where there is none.

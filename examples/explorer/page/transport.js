@@ -1,6 +1,6 @@
 // Running and stopping: the simulation, its hand, its record, and a log that is played.
 
-import {app, assign_colors, engine, is_simulated, runner, runner_events, tracks} from './app.js';
+import {app, assign_colors, engine, runner, runner_events, tracks} from './app.js';
 import {by_id, say, warn} from './messages.js';
 import {make_player} from './player.js';
 import {save_text} from './save.js';
@@ -72,15 +72,8 @@ export function open_log(text, name) {
   app.focus = 0;
   assign_colors();
   runner.send({kind: 'pause', is_on: true});
-  say(
-    name +
-      ': ' +
-      log.count() +
-      ' lines' +
-      (all
-        ? '; ' + equal + ' of ' + all + ' capacities are those of ' + law + ' to the last digit.'
-        : '.'),
-  );
+  const agreement = all ? `; ${equal} of ${all} capacities are those of ${law} to the last digit.` : '.';
+  say(`${name}: ${log.count()} lines${agreement}`);
   set_paused(false);
   app.shown();
 }

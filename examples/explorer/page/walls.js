@@ -34,10 +34,7 @@ export function draw_walls(pen, camera, points, theme, is_hollow, depth) {
     const pitch = 12,
       count = Math.max(1, Math.round(length / pitch));
     for (let s = 0; s < count; ++s) {
-      const from = [
-        a[0] + (((s + 0.5) * length) / count) * t[0],
-        a[1] + (((s + 0.5) * length) / count) * t[1],
-      ];
+      const from = [a[0] + (((s + 0.5) * length) / count) * t[0], a[1] + (((s + 0.5) * length) / count) * t[1]];
       if (from[0] < -20 || from[0] > pen.width + 20 || from[1] < -20 || from[1] > pen.height + 20) continue;
       strokes += line_path(from, [from[0] + 10 * n[0] + 6 * t[0], from[1] + 10 * n[1] + 6 * t[1]]);
     }

@@ -27,7 +27,7 @@ const handlers = {
     last = performance.now();
     setInterval(turn, 10);
   },
-  start({settings, run, point}) {
+  start({settings, run, point, ahead}) {
     for (const simulation of simulations) simulation?.end();
     simulations = settings.map(text => engine.simulation(text));
     hand = hand_of(settings[0]) || 'pointer';
@@ -38,6 +38,7 @@ const handlers = {
       simulations = [];
     }
     begin_again(run, point);
+    if (simulations.length && ahead) advance(ahead, false);
   },
   settings({text, law_texts}) {
     hand = hand_of(text) || hand;
@@ -73,8 +74,7 @@ const handlers = {
   },
   log({law}) {
     const simulation = simulations[law];
-    if (simulation)
-      postMessage({kind: 'log', law, text: simulation.log(), device: simulation.device_file()});
+    if (simulation) postMessage({kind: 'log', law, text: simulation.log(), device: simulation.device_file()});
   },
   replay({run}) {
     if (!recording || !recording.length) return;
@@ -113,17 +113,21 @@ function turn() {
   const cycles = Math.min(Math.floor(due), max_at_once);
   if (cycles < 1) return;
   due -= cycles;
-  run_cycles(cycles);
   // What could not be made up for within a tenth of a second is given up, and the page says so.
   const behind = due > 100 * speed;
   if (behind) due = 0;
+  advance(cycles, behind);
+}
+
+function advance(cycles, is_late) {
+  run_cycles(cycles);
   const chunks = simulations.map((simulation, k) => {
     const chunk = simulation.rows_from(sent[k]);
     sent[k] = simulation.cycles();
     return {...chunk, figures: simulation.figures()};
   });
   postMessage(
-    {kind: 'rows', run: run_number, chunks, is_late: behind, is_replay: !!replaying},
+    {kind: 'rows', run: run_number, chunks, is_late, is_replay: !!replaying},
     chunks.map(chunk => chunk.rows.buffer),
   );
 }

@@ -1,0 +1,223 @@
+// What the steps of the page draw and say, with the engine in WebAssembly and without a browser.
+//
+// usage: node steps.mjs FOLDER_OF_THE_ENGINE
+import {load} from './load.mjs';
+import {short_number} from '../../examples/explorer/page/format.js';
+import {box_of, brakes_of, make_picture, margins_of, scales_of} from '../../examples/explorer/page/picture.js';
+import {draw_stage} from '../../examples/explorer/page/stage.js';
+import {design_sentence, moment_sentence, newton, normal_part, questions, still_sentence} from '../../examples/explorer/page/story.js';
+import {make_tracks} from '../../examples/explorer/page/tracks.js';
+
+const engine = await load(process.argv[2]);
+let failures = 0,
+  checks = 0,
+  seed = 1;
+
+function expect(is_met, what, found = '') {
+  ++checks;
+  if (!is_met && ++failures <= 20) console.log('failed: ' + what + ' ' + JSON.stringify(found));
+}
+
+// From -1 to 1, the same numbers in each run.
+function random() {
+  seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+  return seed / 2 ** 31 - 1;
+}
+const numbers = (count, draw = random) => Array.from({length: count}, draw).join();
+const size_of = f => Math.hypot(...f);
+const dot = (a, b) => a.reduce((sum, c, i) => sum + c * b[i], 0);
+const {mechanisms} = engine.catalogue,
+  planar = mechanisms.filter(mechanism => mechanism.dimension === 2);
+const theme = new Proxy({}, {get: (_, name) => (name === 'laws' ? ['a', 'b', 'c'] : String(name))});
+
+// A device of the mechanism in the state of these lines, near the pose at which it begins.
+function device_of(info, lines = '') {
+  const device = engine.device('mechanism=' + info.id + '\n' + lines),
+    {q} = device.state(info.joints);
+  q.forEach((angle, i) => {
+    q[i] = angle + 0.25 * random();
+  });
+  device.evaluate();
+  return device;
+}
+
+// What the picture of a device shows in a step, wide or as a phone.
+function drawn(question, device, info, tracks) {
+  const value = id => tracks?.value(0, id) || device.value(id),
+    word = (id, k) => (tracks?.value(0, id) ? tracks.word(0, id, k) : device.word(id, k)),
+    [width, height] = random() > 0 ? [1100, 470] : [347, 354];
+  const view = {
+    device, info, question, tracks, value, word, width, height,
+    scales: scales_of(device, info),
+    bounds: box_of(device, info, question, [0, 0, 0]),
+    layers: new Set(question.layers),
+    brakes: brakes_of(device, value, word),
+    is_moving: !!tracks, focus: 0, colors: ['a'], lens_memory: {}, yaw: 0, pitch: 0,
+  };
+  view.margins = margins_of(view);
+  const picture = make_picture(view),
+    areas = [];
+  draw_stage(
+    {
+      width, height, curve() {}, label() {}, image() {},
+      clip: (_, draw) => draw(),
+      path: (d, style) => style.fill === 'cone' && areas.push(d),
+    },
+    picture,
+    theme,
+  );
+  const area = [...(areas[0] || '').matchAll(/[ML](-?[\d.]+) (-?[\d.]+)/g)].map(p => [Number(p[1]), Number(p[2])]);
+  return {view, picture, value, word, area, at: picture.camera.point(picture.handle)};
+}
+
+// Pixels by which a point is outside of a polygon about a corner at `at`: 0 inside.
+function distance_outside(p, polygon, at) {
+  let is_inside = false,
+    least = Math.hypot(p[0] - at[0], p[1] - at[1]);
+  polygon.forEach((a, k) => {
+    const b = polygon[(k + 1) % polygon.length],
+      e = [b[0] - a[0], b[1] - a[1]],
+      u = Math.min(1, Math.max(0, dot([p[0] - a[0], p[1] - a[1]], e) / (dot(e, e) || 1)));
+    least = Math.min(least, Math.hypot(p[0] - a[0] - u * e[0], p[1] - a[1] - u * e[1]));
+    if (a[1] > p[1] !== b[1] > p[1] && p[0] < a[0] + (e[0] * (p[1] - a[1])) / e[1]) is_inside = !is_inside;
+  });
+  return is_inside ? 0 : least;
+}
+
+function expect_inside(name, {picture, area, at}, device) {
+  const arrow = picture.arrows.find(other => other.id === 'made'),
+    solid = picture.camera.is_space && picture.cones.find(cone => cone.is_present)?.points;
+  for (let k = 0; solid && k < 5; ++k) {
+    // In space the area is convex: it goes as far as the force in each direction
+    const u = [random(), random(), random()],
+      far = Math.max(...solid.map(f => dot(f, u)));
+    expect(dot(arrow.vector, u) <= far + 1e-4 * Math.max(...solid.map(size_of)), name + ': the force of the brakes ends in the solid', device.settings());
+  }
+  if (solid) return;
+  expect(!arrow?.head || distance_outside(arrow.head, area, at) < 1, name + ': the force of the brakes ends in the area', device.settings());
+}
+
+function random_lines(info, more) {
+  return (
+    `qd=${numbers(info.joints, () => (random() > -0.8 ? random() : 0))}\n` +
+    `brakes.torque_limit=${numbers(info.brakes, () => 10 ** random())}\n` +
+    `brakes.present=${numbers(info.brakes, () => (random() > -0.9 ? 1 : 0))}\n` + more
+  );
+}
+
+// Step 3: the curve is the locus of the brake that holds.
+for (let pose = 0, poses = 0; poses < 100; ++pose) {
+  const info = planar[pose % planar.length];
+  if (info.joints !== 2) continue;
+  ++poses;
+  const device = device_of(info),
+    brake = poses % info.brakes,
+    length = 0.02,
+    points = device.locus(brake, length),
+    {q, qd} = device.state(2),
+    start = [...q],
+    x = device.value('x');
+  const rates = [0, 1].map(j => {
+    qd.set([j === 0 ? 1 : 0, j === 1 ? 1 : 0]);
+    device.evaluate();
+    return device.value('w')[brake];
+  });
+  expect(points.length === 65 && size_of(points[32].map((c, i) => c - x[i])) < 1e-12, 'the curve goes through the handle', [info.id, points.length]);
+  for (const side of [1, -1]) {
+    q.set(start);
+    for (let k = 1; k <= 32; ++k) {
+      const point = points[32 + side * k];
+      if (!point || !device.reach(point)) break;
+      const turn = dot(rates, [q[0] - start[0], q[1] - start[1]]) / size_of(rates);
+      expect(Math.abs(turn) < 1e-6, `${info.id}: brake ${brake + 1} holds on the curve`, turn);
+      const step = size_of(point.map((c, i) => c - points[32 + side * (k - 1)][i]));
+      expect(Math.abs(step - length / 32) < 1e-2 * length, `${info.id}: points follow each other`, step);
+    }
+  }
+  device.end();
+}
+
+const step = id => questions.find(question => question.id === id);
+for (let k = 0; k < 1000; ++k) {
+  const info = k % 5 ? planar[k % planar.length] : mechanisms[(k / 5) % mechanisms.length], // few in space: they take long
+    d = info.dimension;
+
+  { // Step 1
+    const device = device_of(info, random_lines(info, 'scene=none\nlaw=no_direct_control')),
+      found = drawn(step('forces'), device, info),
+      text = still_sentence('forces', found.view),
+      present = found.picture.cones.find(cone => cone.is_present);
+    const named = /passive FME (\d)/.exec(text)?.[1];
+    if (named && info.brakes === 2 && info.joints === 2) expect(present?.name === 'FME ' + named, 'step 1: the number of the area', [text, present?.name]);
+    device.end();
+  }
+
+  for (const id of ['wanted', 'direct']) { // Steps 2 and 4
+    const scale = id === 'direct' ? `Fh=${numbers(d, () => 3 * random())}\nalpha=${Math.abs(random())}\nlaw=direct_control` : `law=${engine.catalogue.laws[Math.floor(k / 7) % 5].id}`,
+      device = device_of(info, random_lines(info, `scene=none\ndesired=given\nFd=${numbers(d, () => 10 ** random() * random())}\n${scale}`)),
+      found = drawn(step(id), device, info),
+      {made} = found.picture;
+    expect_inside('step ' + step(id).step, found, device);
+    const whole = device.value(size_of(device.value('Fh')) && info.joints === d ? 'brake_force' : 'displayed');
+    expect(size_of(whole.map((c, i) => c - made[i])) <= 1e-6 * size_of(whole), `step ${step(id).step}: the area has all of the force`, [device.settings(), whole, made]);
+    const text = still_sentence(id, {...found.view, made, max_angle: 1.55});
+    if (id === 'wanted') {
+      const Fd = device.value('Fd'),
+        off = size_of(made) && size_of(Fd.map((c, i) => c / size_of(Fd) - made[i] / size_of(made)));
+      expect(size_of(made) ? text.includes('display ' + newton(size_of(made))) || text.includes(', and ' + newton(size_of(made))) || text.includes('exactly*: ' + newton(size_of(made))) : !/display/.test(text), 'step 2: the sentence has the size of the arrow', [text, made]);
+      expect(!size_of(made) || /exactly/.test(text) === off < 1e-4, 'step 2: the sentence has the direction of the arrow', [text, off]);
+    } else if (/pushes|nothing/.test(text)) {
+      const arrow = found.picture.arrows.find(other => other.id === 'Fr'),
+        part = dot(arrow.vector, device.value('Fd')) / size_of(device.value('Fd'));
+      expect(/\*out\*/.test(text) ? part > 0 : /\*into\*/.test(text) ? part < 0 : Math.abs(part) < 5e-3 * size_of(device.value('Fh')), 'step 4: the sentence has the side of the arrow', [text, part]);
+      // Equation (10), as long as no limit and no brake at rest has a say
+      const is_free = device.value('saturated')[0] === 0 && device.value('at_rest').every(rest => rest === 0) && info.joints === d && device.word('display') !== 'not displayed';
+      const alpha = Number(/^alpha=(.*)$/m.exec(device.settings())[1]),
+        of_equation = dot(device.value('Fh').map((c, i) => c + alpha * device.value('Fc')[i]), device.value('Fd')) / size_of(device.value('Fd'));
+      if (is_free) expect(Math.abs(normal_part(device.value) - of_equation) < 1e-9 * (1 + Math.abs(of_equation)), 'step 4: the normal part is that of equation (10)', [info.id, part, of_equation]);
+    }
+    device.end();
+  }
+
+  { // Step 3
+    const lines = 'scene.rate=20\n' + random_lines(info, ''),
+      simulation = engine.simulation(`mechanism=${info.id}\nlaw=${engine.catalogue.laws[Math.floor(k / 7) % 5].id}\n${lines}`),
+      tracks = make_tracks(simulation.layout, ['no_direct_control']),
+      device = device_of(info, lines),
+      to = device.value('x').map((c, i) => c + (i < d ? 0.05 * random() : 0));
+    simulation.step(20 + Math.floor(40 * (1 + random())), to, true);
+    tracks.add(0, simulation.rows_from(0).rows);
+    const state = device.state(info.joints);
+    state.q.set(tracks.value(0, 'q'));
+    state.qd.set(tracks.value(0, 'qd'));
+    state.Fh.set(tracks.value(0, 'hand_force'));
+    device.evaluate();
+    const found = drawn(step('why'), device, info, tracks),
+      text = moment_sentence(tracks, 0, found.view.brakes, true);
+    expect_inside('step 3', found, device);
+    const holding = found.view.brakes.flatMap((brake, i) => (brake.state === 'holds' ? [i + 1] : []));
+    if (/hold/.test(text) && found.picture.locus?.is_held)
+      expect(holding.every(brake => text.includes('brake ' + brake) || text.includes('Brake ' + brake)), 'step 3: the sentence has the brakes that hold', [text, holding]);
+    simulation.end();
+    device.end();
+  }
+
+  { // Step 5
+    const device = device_of(info, random_lines(info, `map.normal=${numbers(d)}\nmap.direction=${numbers(d)}`)),
+      map = device.new_map(4, 4, [-0.3, -0.3], [0.3, 0.3]),
+      words = device.layout.find(entry => entry.id === 'display').words;
+    map.advance(4);
+    const [known, classes] = [map.figure(0), map.figure(5)].map(all => [...all].filter(Number.isFinite)),
+      text = design_sentence({id: 'cosine'}, {known, classes, done: 1}, words),
+      none = classes.filter(place => place === 0).length;
+    expect(
+      !known.length || none === classes.length ? /^\*No:/.test(text) : none ? /^\*Not everywhere:/.test(text) : /^\*Yes:/.test(text),
+      'step 5: the sentence has the grey places', [text, none, classes.length],
+    );
+    map.end();
+    device.end();
+  }
+}
+expect(short_number(1.11e-14) === '0' && short_number(-20000) === '−2·10⁴' && newton(20000) === '*20 kN*', 'numbers as a reader sees them');
+console.log(`steps: ${checks} checks, ${failures} failed`);
+process.exit(failures ? 1 : 0);
