@@ -34,5 +34,12 @@ done
 } >$html/search_index.js
 (cd $html && awk -f ../../../docs/site/links.awk *.html) ||
   { echo "links of the site that lead nowhere are listed above: mend them in docs/" >&2; exit 1; }
+# The landing page opens with the explorer if it was built (./examples/run explorer)
+page=build/output/explorer/explorer.html
+if [[ -e $page ]]; then
+  cp $page $html/
+  sed -i -E 's#href="guide_explorer\.html"#href="explorer.html"#; s#<img src="explorer\.png"[^>]*>#<a href="explorer.html">&</a>#' $html/index.html
+  [[ $(grep -o 'href="explorer\.html"' $html/index.html | wc -l) == 2 ]] || { echo "docs/start.md does not open with the explorer" >&2; exit 1; }
+fi
 mkdir $html/fonts
 cp -L /usr/share/javascript/katex/fonts/*.woff2 $html/fonts/
