@@ -180,9 +180,8 @@ void bind_meshes(py::module_& module) {
 wall made_wall(const shape& s, double stiffness) {
   return std::visit(
       [&]<int D>(const shape_in<D>& of) -> wall {
-        wall_in<D> made{of.wall_of(stiffness), std::nullopt};
-        if (of.solid) made.solid.emplace(*of.solid, stiffness);
-        return {made};
+        if (!of.solid) return {wall_in<D>{of.wall_of(stiffness), std::nullopt}};
+        return {wall_in<D>{of.wall_of(stiffness), ph::wall(*of.solid, stiffness)}};
       },
       s.in);
 }

@@ -57,6 +57,8 @@ def load(path: Path) -> device_description:
     kind = serial_chain if "_chain_" in name else getattr(catalogue, name)
     walls = [scenes.wall(_shape(shapes), stiffness) for shapes, stiffness in found["walls"]]
     effects = [getattr(catalogue, of)(**values) for of, values in found["effects"]]
+    if effects and not walls:
+        raise ValueError("passive_haptics: walls = [], expected a wall with [[effects]]: effects without a wall are in C++ only")
     scene: Optional[scenes._any_scene] = scenes.world(walls) if walls else None
     if scene is not None and found["period"] > 0:
         scene = scenes.held_scene(scene, found["period"])
