@@ -150,7 +150,7 @@ def test_a_wall_and_forces_are_drawn(name, tmp_path):
     reach = axes.get_xlim()[1]
     assert area(wall.get_xy()[:-1]) == pytest.approx(2 * reach * reach)  # half of the picture
     assert wall.get_xy()[:, 1].min() == pytest.approx(0, abs=1e-9)
-    (made,) = patches_of(axes, plots.SKY)
+    (made,) = patches_of(axes, plots.PRODUCIBLE)
     assert np.all(made.get_xy() @ V <= 1e-9 * reach)
     labels = [text.get_text() for text in axes.get_legend().get_texts()]
     assert labels[:2] == ["motion", "$F_d$ 300 N"]
@@ -170,7 +170,7 @@ def test_a_force_that_cannot_be_made_is_named():
     axes = plots.draw_passive_fmes(table, [0, 0], velocity=[1, 1], desired_force=[1, 1])
     assert [text.get_text() for text in axes.get_legend().get_texts()][2] == "no force is near"
     axes = plots.draw_passive_fmes(table, [0, 0], velocity=[1, 0])  # brake 2 rests: it holds either way
-    assert len(patches_of(axes, plots.SKY)) == 2
+    assert len(patches_of(axes, plots.PRODUCIBLE)) == 2
 
 
 @pytest.mark.parametrize("q", [[0.3, 0], [0.3, 1e-9], [0.3, math.pi], [0, 0]])

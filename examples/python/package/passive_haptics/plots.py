@@ -38,6 +38,8 @@ Axes = Any
 # Colours that the colour-blind can distinguish (Okabe and Ito 2008)
 BLUE, SKY, VERMILION, GREEN = "#0072b2", "#56b4e9", "#d55e00", "#009e73"
 INK, MUTED, PALE, GROUND = "#222222", "#777777", "#bbbbbb", "#e6e6e6"
+# As in the explorer and the pictures of the C++ programs
+PRODUCIBLE, DESIRED, DISPLAYED, MOTION, HAND = GREEN, INK, VERMILION, SKY, "#a0457c"
 
 MARGIN = 0.15
 """Around what is drawn, a part of its size [1]."""
@@ -79,9 +81,9 @@ def draw_passive_fmes(
     if velocity is not None:
         shown = _region_in_motion(device, q, velocity, regions)
         for outline in shown:
-            axes.fill(*outline.T, facecolor=SKY, alpha=0.35, edgecolor="none", zorder=1)
-            axes.plot(*outline.T, color=BLUE, lw=1.2, zorder=3)
-        draw_arrow(axes, 0.5 * reach * unit_vector(velocity, "velocity"), MUTED, "motion")
+            axes.fill(*outline.T, facecolor=PRODUCIBLE, alpha=0.35, edgecolor="none", zorder=1)
+            axes.plot(*outline.T, color=PRODUCIBLE, lw=1.2, zorder=3)
+        draw_arrow(axes, 0.5 * reach * unit_vector(velocity, "velocity"), MOTION, "motion")
     if desired_force is not None:
         _draw_forces(axes, device, q, velocity, np.asarray(desired_force, dtype=float), reach)
     axes.plot(0, 0, "o", color=INK, ms=4, zorder=6)
@@ -251,10 +253,10 @@ def _draw_forces(
     """The desired force, and the nearest one where the motion is known."""
     direction, length = unit_vector(desired, "desired_force"), float(np.linalg.norm(desired))
     scale = min(LONGEST_ARROW * reach / length, 1.0)
-    draw_arrow(axes, scale * length * direction, VERMILION, f"$F_d$ {length:.3g} N")
+    draw_arrow(axes, scale * length * direction, DESIRED, f"$F_d$ {length:.3g} N")
     if velocity is None:
         return
     nearest, angle = nearest_producible(device, q, velocity, desired)
     made = float(np.linalg.norm(nearest))
     name = f"nearest {made:.3g} N, {math.degrees(angle):.0f}° off" if made > 0 else "no force is near"
-    draw_arrow(axes, scale * nearest, BLUE, name)
+    draw_arrow(axes, scale * nearest, DISPLAYED, name)
