@@ -375,7 +375,9 @@ TEST(device_file, is_written_as_it_was_read) {
   for (const std::string& file : files) {
     const std::string text = ph::runtime::device_text(read(file));
     EXPECT_EQ(ph::runtime::device_text(read(text)), text);
-    if (file.empty()) EXPECT_NE(text.find("\nlength_1 = 0.15\n"), text.npos) << text;
+    if (file.empty()) {
+      EXPECT_NE(text.find("\nlength_1 = 0.15\n"), text.npos) << text;
+    }
   }
   const auto large = read(ph::runtime::device_text(read(files[2])));
   EXPECT_EQ(large.brakes.time_constant[1], 12345678901234567890.0);

@@ -54,7 +54,9 @@ class device {
     compare(ph::any_wall<d>(ph::wall(own, stiffness)), entry.make_wall(parameters, of, stiffness));
     if (entry.make) {
       const rt::any_shape<d> made = entry.make(parameters, of);
-      if constexpr (ph::Shape<S>) EXPECT_EQ(made.distance(start()), own.distance(start()));
+      if constexpr (ph::Shape<S>) {
+        EXPECT_EQ(made.distance(start()), own.distance(start()));
+      }
     }
   }
 
