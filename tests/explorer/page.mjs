@@ -306,7 +306,11 @@ if (browser_name === 'chromium') {
             document.getElementById('more').open = theme === 'dark';
           }, name);
           await page.waitForTimeout(200);
-          const {violations} = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations']}));
+          const {violations} = await page.evaluate(async () => {
+            const fades = document.getAnimations().filter(animation => animation instanceof CSSTransition);
+            await Promise.allSettled(fades.map(fade => fade.finished));
+            return window.axe.run(document, {resultTypes: ['violations']});
+          });
           expect(violations.length === 0, `${view}, ${name}`, violations.map(v => v.id + ': ' + v.nodes[0].html.slice(0, 120)));
         }
     });
