@@ -2,19 +2,19 @@
 
 #ifdef brakes_first
 // error: passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this order:
-// the first one is no mechanism
+// the first argument must be a mechanism
 ph::controller control(ph::brakes_of<table>(), table(), room, ph::direct_control());
 #endif
 
 #ifdef scene_before_the_brakes
 // error: passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this order:
-// the second one is no brakes
+// the second argument must be brakes
 ph::controller control(table(), room, ph::brakes_of<table>(), ph::direct_control());
 #endif
 
 #ifdef law_before_the_scene
 // error: passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this order:
-// the third one is no scene
+// the third argument must be a scene
 ph::controller control(table(), ph::brakes_of<table>(), ph::direct_control(), room);
 #endif
 

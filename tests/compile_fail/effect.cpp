@@ -48,6 +48,6 @@ void cycle() { run(table(), ph::brakes_of<table>(), ph::with_effects(room, honey
 #endif
 
 #ifdef effect_number_out_of_range
-// error: passive_haptics: there is no effect of this number
+// error: passive_haptics: there is no effect with this number
 const auto second = ph::with_effects(room, honey).effect<1>();
 #endif

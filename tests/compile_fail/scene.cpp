@@ -1,7 +1,7 @@
 #include "prelude.hpp"
 
 #ifdef shape_without_a_wall
-// error: passive_haptics: a scene is made of walls: put each shape into one, `scene(wall(shape, stiffness))`
+// error: passive_haptics: a scene consists of walls: put each shape into one, `scene(wall(shape, stiffness))`
 const auto scene = ph::scene(ph::wall(plane), plane);
 #endif
 
@@ -11,12 +11,12 @@ void cycle() { run(device(), ph::brakes_of<device>(), ph::wall(plane), ph::direc
 #endif
 
 #ifdef wall_with_the_stiffness_first
-// error: passive_haptics: a wall is made of (shape, stiffness), in this order
+// error: passive_haptics: the arguments of a wall are (shape, stiffness), in this order
 ph::wall wall(1e5, plane);
 #endif
 
 #ifdef ball_with_the_radius_first
-// error: passive_haptics: a ball is made of (centre, radius), in this order
+// error: passive_haptics: the arguments of a ball are (centre, radius), in this order
 ph::disc ball(0.01, {0, 1});
 #endif
 
@@ -58,6 +58,6 @@ void fill(ph::world_walls<3>& walls) { walls.add(ph::wall(plane)); }
 #endif
 
 #ifdef wall_number_out_of_range
-// error: passive_haptics: the scene has no wall of this number
+// error: passive_haptics: the scene has no wall with this number
 const auto second = ph::scene(ph::wall(plane)).get<1>();
 #endif

@@ -102,7 +102,7 @@ MISUSES = [
     (lambda: ph.mesh(np.zeros((4, 4)), faces), ValueError, "shape of vertices = (4, 4), expected (N, 2) or (N, 3)"),
     (lambda: ph.mesh(corners, faces[:, :2]), ValueError, "shape of facets = (4, 2), expected (M, 3), the three corners"),
     (lambda: ph.mesh(corners[:, :2].copy(), faces), ValueError, "shape of facets = (4, 3), expected (M, 2), the two ends"),
-    (lambda: ph.mesh(corners, faces[:0]), ValueError, "facets of a mesh are none, expected one or more"),
+    (lambda: ph.mesh(corners, faces[:0]), ValueError, "a mesh has no facets, expected one or more"),
     (lambda: ph.mesh(corners, faces + 2), ValueError, "facet 0 of a mesh: index of a vertex = 4, expected 0 or more"),
     (lambda: ph.mesh(corners, faces - 1), ValueError, "facet 0 of a mesh: index of a vertex = -1, expected 0 or more"),
     (lambda: ph.mesh(corners, faces + 2**40), ValueError, "index of a vertex = 1099511627776, expected 0 or more and"),

@@ -43,7 +43,7 @@ rt::cycle_record controller::step(const rt::state_view& state) {
   check("qd", state.qd.size(), sizes.dof);
   if (!state.hand_force.empty()) check("hand_force", state.hand_force.size(), sizes.task_dimension);
   else if (held_->needs_hand_force())
-    refuse_value("hand_force = None, expected a force [N]: the law needs one; or take a law that needs none");
+    refuse_value("hand_force = None, expected a force [N]: the law needs one; or use a law that needs none");
   only_call alone(*this);
   deferred_error errors;
   const rt::cycle_record record = alone.held()(state);

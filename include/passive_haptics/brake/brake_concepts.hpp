@@ -163,10 +163,10 @@ vector<T, Brakes> torque_dead_bands_of(const B& brakes) {
 
 /// Where a torque_lower may lie.
 inline constexpr range lower_torques =
-    range::between(-range::infinity, 0).as("a number <= 0, or -inf where there is no bound");
+    range::between(-range::infinity, 0).as("a number <= 0, or -inf for no bound");
 /// Where a torque_upper may lie.
 inline constexpr range upper_torques =
-    range::between(0, range::infinity).as("a number >= 0, or inf where there is no bound");
+    range::between(0, range::infinity).as("a number >= 0, or inf for no bound");
 
 /// What is wrong with the brakes, whatever members they have; empty if nothing.
 template <class B>

@@ -24,17 +24,17 @@ consteval bool are_in_order() {
     static_assert(
         !Explain,
         "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this "
-        "order: the first one is no mechanism.");
+        "order: the first argument must be a mechanism.");
   else if constexpr (names_sizes<B> || gives_contacts<B>)
     static_assert(
         !Explain,
         "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this "
-        "order: the second one is no brakes, such as brakes_of<mechanism>().");
+        "order: the second argument must be brakes, for example brakes_of<mechanism>().");
   else if constexpr (names_sizes<S> || names_torque_limit<S> || is_unlimited<S> || ControlLaw<S>)
     static_assert(
         !Explain,
         "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this "
-        "order: the third one is no scene, such as scene(wall(shape, stiffness)).");
+        "order: the third argument must be a scene, for example scene(wall(shape, stiffness)).");
   else if constexpr (std::is_same_v<L, nothing_given>)
     static_assert(
         !Explain,
@@ -44,7 +44,7 @@ consteval bool are_in_order() {
     static_assert(
         !Explain,
         "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this "
-        "order: the fourth one is no law, such as direct_control().");
+        "order: the fourth argument must be a law, for example direct_control().");
   else return true;
   return Explain;
 }
@@ -60,12 +60,12 @@ consteval bool is_law_for() {
   else if constexpr (needs_dynamics<L> && !Dynamics<M>)
     static_assert(!Explain,
                   "passive_haptics: this law needs a mechanism that models Dynamics: give it mass_matrix, "
-                  "bias_torque and bias_acceleration (mechanism/dynamics.hpp), or take direct_control.");
+                  "bias_torque and bias_acceleration (mechanism/dynamics.hpp), or use direct_control.");
   else if constexpr (!BrakesFor<B, M>) return are_brakes<B, M, Explain>();
   else if constexpr (needs_brake_lag<L> && !names_time_constant<B>)
     static_assert(!Explain,
                   "passive_haptics: this law needs the brakes' lag: give the brakes a time_constant "
-                  "(brake_parameters), or take a law that needs none.");
+                  "(brake_parameters), or use a law that needs none.");
   else return true;
   return Explain;
 }
@@ -103,7 +103,7 @@ consteval bool is_step() {
     static_assert(
         !Explain,
         "passive_haptics: this law needs a hand force: give the state a hand_force (device_state<M>), "
-        "or take a law that needs none (no_direct_control).");
+        "or use a law that needs none (no_direct_control).");
   else return are_contacts_for<Contacts, M, Explain>();
   return Explain;
 }

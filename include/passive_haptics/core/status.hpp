@@ -29,14 +29,13 @@ enum class status {
 /// The status in words, for a log or a message.
 constexpr std::string_view to_string(status s) {
   return detail::word_of(
-      s,
-      {"ok", "NaN or infinity in the device state (its time is NaN until it is set)",
-       "a contact that is not finite, without a unit normal or of negative stiffness (its sensed_at is "
-       "NaN until it is set)",
-       "invalid parameters of brakes or law, or invalid options",
-       "no finite position or Jacobian at this pose", "the law's scale is not in [0, 1]", "overflow",
-       "singular Jacobian", "out of reach", "more walls are touched at once than the law takes",
-       "the scene is out of date", "time stood still or went back since the last cycle", "unknown status"});
+      s, {"ok", "NaN or infinity in the device state (its time is NaN until it is set)",
+          "a contact that is not finite, without a unit normal or of negative stiffness (its sensed_at is "
+          "NaN until it is set)",
+          "invalid parameters of brakes or law, or invalid options",
+          "no finite position or Jacobian at this pose", "the law's scale is not in [0, 1]", "overflow",
+          "singular Jacobian", "out of reach", "more walls are touched than the law supports",
+          "the scene is out of date", "the time did not increase since the last cycle", "unknown status"});
 }
 
 }  // namespace passive_haptics

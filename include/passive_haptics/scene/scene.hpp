@@ -72,7 +72,7 @@ class static_scene {
   template <int Number>
   auto& get() {
     static_assert(0 <= Number && Number < wall_count,
-                  "passive_haptics: the scene has no wall of this number.");
+                  "passive_haptics: the scene has no wall with this number.");
     return boost::hana::at_c<Number>(walls_);
   }
 
@@ -92,10 +92,9 @@ static_scene<First, Rest...> scene(wall<First> first, wall<Rest>... rest) {
 template <class... X>
   requires(!(detail::is_wall<X> && ...))
 auto scene(const X&...) {
-  static_assert(
-      (detail::is_wall<X> && ...),
-      "passive_haptics: a scene is made of walls: put each shape into one, "
-      "`scene(wall(shape, stiffness))`; effects stand beside a scene, `with_effects(scene, effect)`.");
+  static_assert((detail::is_wall<X> && ...),
+                "passive_haptics: a scene consists of walls: put each shape into one, "
+                "`scene(wall(shape, stiffness))`; for effects use `with_effects(scene, effect)`.");
 }
 
 }  // namespace passive_haptics

@@ -27,7 +27,8 @@ class wall {
   }
   /// Not in this order.
   wall(double, const S& geometry) : shape(geometry), stiffness_(0) {
-    static_assert(sizeof(S) == 0, "passive_haptics: a wall is made of (shape, stiffness), in this order.");
+    static_assert(sizeof(S) == 0,
+                  "passive_haptics: the arguments of a wall are (shape, stiffness), in this order.");
   }
   S shape;  ///< Geometry.
 

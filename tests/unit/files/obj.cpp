@@ -27,7 +27,7 @@ TEST_F(an_obj_file, that_is_wrong_is_named_with_place_and_expectation) {
            {"v 0 0 1e999\n", "line 1: '1e999', expected a coordinate"},
            {v3 + "v 0 0 nan\nf 1 2 4\n",
             "line 5: corner 3 = (0, 0, nan), expected finite coordinates; the file is damaged"},
-           {v3 + "f 1 2 2\n", "no triangle has an area, expected one or more"},
+           {v3 + "f 1 2 2\n", "all triangles are degenerate (zero area), expected one with an area"},
            {std::string("v 0 0 1\0\x1b[2J\n", 13),
             "line 1: a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, remove such "
             "bytes"},
@@ -74,7 +74,7 @@ TEST_F(an_obj_file, may_have_keywords_that_are_not_read) {
     EXPECT_EQ(
         obj_error("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + std::string(word) + " 1 2 3\n"),
         "line 5: '" + std::string(word) +
-            "', expected v, f or another keyword of a mesh; curves and free-form surfaces are not read");
+            "', expected v, f or another keyword of a mesh; curves and free-form surfaces are not supported");
 }
 
 TEST_F(an_obj_file, says_all_that_was_left_out) {

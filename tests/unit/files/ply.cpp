@@ -114,7 +114,7 @@ TEST_F(a_ply_file, may_have_any_values_that_are_not_read) {
   EXPECT_EQ(ply_error(replaced(ascii_ply(cube()), "end_header",
                                "element tristrips 1\nproperty list int int vertex_indices\nend_header") +
                       "3 0 1 2\n"),
-            "the header is not that of a mesh, expected faces alone; triangle strips are not read");
+            "the header is not that of a mesh, expected faces; triangle strips are not supported");
 }
 
 TEST_F(a_ply_file, may_have_an_end_of_line_behind_its_data) {

@@ -9,20 +9,22 @@ struct an_stl_file : in_a_folder {};
 
 TEST_F(an_stl_file, that_is_wrong_is_named_with_place_and_expectation) {
   const std::string whole = binary_stl(cube()), ascii = ascii_stl(cube());
-  for (
-      const auto& [text, error] : {
-          std::pair{std::string(""), "line 1: the file ends, expected 'solid'; it was cut off, or is no STL"},
-          {whole.substr(0, 83), "line 1: the file ends, expected 'solid'; it was cut off, or is no STL"},
-          {whole.substr(0, 84),
-           "byte 84: the file ends, expected 684 bytes, those of 12 triangles; it was cut off, or is no STL"},
-          {std::string(80, ' ') + "\xff\xff\xff\xff",
-           "line 1: '\xff\xff\xff\xff', expected 'solid'; it was cut off, or is no STL"},
-          {ascii.substr(0, ascii.find("endloop")), "line 7: the file ends, expected 'endloop'"},
-          {"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero", "line 4: 'zero', expected a number"},
-          {"solid a\nendsolid a\nfacet", "line 3: 'facet', expected 'solid', or the end of the file"},
-          {"solid a\n", "line 2: the file ends, expected 'facet' or 'endsolid'"},
-          {"solid a\nendsolid", "no triangles, expected one or more; points and lines have no sides"},
-      })
+  for (const auto& [text, error] : {
+           std::pair{std::string(""),
+                     "line 1: the file ends, expected 'solid'; it was cut off, or is not an STL file"},
+           {whole.substr(0, 83),
+            "line 1: the file ends, expected 'solid'; it was cut off, or is not an STL file"},
+           {whole.substr(0, 84),
+            "byte 84: the file ends, expected 684 bytes, those of 12 triangles; it was cut off, or is not an "
+            "STL file"},
+           {std::string(80, ' ') + "\xff\xff\xff\xff",
+            "line 1: '\xff\xff\xff\xff', expected 'solid'; it was cut off, or is not an STL file"},
+           {ascii.substr(0, ascii.find("endloop")), "line 7: the file ends, expected 'endloop'"},
+           {"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero", "line 4: 'zero', expected a number"},
+           {"solid a\nendsolid a\nfacet", "line 3: 'facet', expected 'solid', or the end of the file"},
+           {"solid a\n", "line 2: the file ends, expected 'facet' or 'endsolid'"},
+           {"solid a\nendsolid", "no triangles, expected one or more; points and lines have no sides"},
+       })
     EXPECT_EQ(stl_error(text).substr(0, 200), error) << text.substr(0, 100);
 }
 
@@ -67,7 +69,7 @@ TEST_F(an_stl_file, with_more_triangles_than_it_says_is_refused) {
   const std::string bytes = binary_stl(cube());
   EXPECT_EQ(
       stl_error(bytes + bytes.substr(84)),
-      "byte 80: a count of 12 triangles, expected 24, for which the file has bytes; write the file anew");
+      "byte 80: a count of 12 triangles, expected 24, for which the file has bytes; write the file again");
   for (const int count : {0, 1, 5}) {
     std::string wrong = bytes;
     wrong[80] = static_cast<char>(count);

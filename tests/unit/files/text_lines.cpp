@@ -103,7 +103,8 @@ TEST_F(a_text, that_is_no_mesh_is_called_what_it_is) {
     EXPECT_EQ(error_of(read, write(name, page)),
               "an HTML page, not the file, expected the file itself; download that");
   }
-  EXPECT_EQ(stl_error("\n" + obj(cube())), "line 2: 'v', expected 'solid'; it was cut off, or is no STL");
+  EXPECT_EQ(stl_error("\n" + obj(cube())),
+            "line 2: 'v', expected 'solid'; it was cut off, or is not an STL file");
 }
 
 // What a standard library without std::from_chars of a double reads instead

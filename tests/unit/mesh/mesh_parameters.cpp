@@ -33,7 +33,7 @@ std::string error_after(const Change& change, Parameters p) {
 TEST(mesh_parameters, say_what_is_wrong) {
   EXPECT_EQ(validate(cube()), "");
   EXPECT_EQ(validate(square()), "");
-  EXPECT_EQ(validate(ph::mesh_parameters<3>{}), "facets of a mesh are none, expected one or more");
+  EXPECT_EQ(validate(ph::mesh_parameters<3>{}), "a mesh has no facets, expected one or more");
   for (const std::size_t i : {3u, 0u})
     EXPECT_EQ(error_after([i](auto& p) { p.vertices[i][1] = no_number; }, cube()),
               "vertex " + std::to_string(i) + " of a mesh is not finite, expected metres");
@@ -123,7 +123,7 @@ TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
   s.facets.pop_back();  // 2, 0
   EXPECT_EQ(
       error_of_solid(s),
-      "vertex 0 of a mesh_solid belongs to facet 0 alone, expected a closed surface; close the hole, or take "
+      "vertex 0 of a mesh_solid belongs to facet 0 only, expected a closed surface; close the hole, or take "
       "mesh_surface");
 
   p = cube();

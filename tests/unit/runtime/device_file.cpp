@@ -117,7 +117,7 @@ constexpr mistake mistakes[] = {
      ":2: [brakes] time_constant[0] [s] = 20, expected at most 1; if it is meant, allow_large = "
      "[\"time_constant\"]"},
     {usual, "[brakes]\ntorque_upper = -1",
-     ":2: [brakes] torque_upper[0] [N m] = -1, expected a number >= 0, or inf where there is no bound"},
+     ":2: [brakes] torque_upper[0] [N m] = -1, expected a number >= 0, or inf for no bound"},
     {usual, "[[brakes.model]]\ntype = \"magnetorheological\"",
      ":1: brakes.model = [ a table ], expected 2 tables [[brakes.model]], one for each brake of a "
      "tendon_two_link"},

@@ -125,7 +125,7 @@ error_message check_hand_force(const batch_states<M>& states) {
   return detail::error_of("hand_force", [&] {
     return std::string("length of hand_force[0] = 0, expected ")
         .append(std::to_string(states.size()))
-        .append(", as the law needs a hand force; or take a law that needs none (no_direct_control)");
+        .append(", as the law needs a hand force; or use a law that needs none (no_direct_control)");
   });
 }
 

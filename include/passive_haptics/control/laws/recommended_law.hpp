@@ -54,7 +54,7 @@ constexpr std::string_view reason_for_law(const M&, const B&) {
     return "on_off_control: velocity_direct_control needs a force sensor (state.hand_force)";
   else if constexpr (!detail::names_limit_and_lag<B>)
     return "on_off_control: velocity_direct_control needs the brakes' torque_limit and time_constant";
-  else return "velocity_direct_control: inertia, hand force, limits and lags of the brakes are there";
+  else return "velocity_direct_control: inertia, hand force, limits and lags of the brakes are available";
 }
 
 /// reason_for_law of a device with a force sensor, device_state<M>.

@@ -129,7 +129,8 @@ struct torques_of_law {
     if constexpr (requires { typename L::memory; }) {
       static_assert(
           requires { setup.law.torque(device, touched, memory); },
-          "passive_haptics: torque() of this law takes brakes_of<M> alone; let it take a brake_situation<M, "
+          "passive_haptics: torque() of this law accepts only brakes_of<M>; let it accept a "
+          "brake_situation<M, "
           "E, B> of any brakes B, or give the step brakes_of<M>.");
       return setup.law.torque(device, walls_of_law(), memory);
     } else {

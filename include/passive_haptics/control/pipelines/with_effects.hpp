@@ -55,7 +55,7 @@ class with_effects {
   template <int Number>
   auto& effect() {
     static_assert(0 <= Number && Number < static_cast<int>(sizeof...(Effects)),
-                  "passive_haptics: there is no effect of this number.");
+                  "passive_haptics: there is no effect with this number.");
     return boost::hana::at_c<Number>(effects_);
   }
   /// All effects.

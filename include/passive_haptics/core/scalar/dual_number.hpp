@@ -46,8 +46,8 @@ class dual_number {
   explicit(!std::same_as<X, long double>) operator X() const {
     static_assert(!std::same_as<X, X>,
                   "passive_haptics: this drops the derivatives of position(q): write `using std::cos, "
-                  "std::sin;` and then `cos(q[0])` in place of `std::cos(q[0])`, and `S x = q[0]` or `auto` "
-                  "in place of `double x(q[0])`.");
+                  "std::sin;` and then `cos(q[0])` instead of `std::cos(q[0])`, and `S x = q[0]` or `auto` "
+                  "instead of `double x(q[0])`.");
     return static_cast<X>(x_);
   }
 

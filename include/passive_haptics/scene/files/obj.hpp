@@ -76,7 +76,7 @@ inline void pass_over_obj_line(mesh_source& from, std::string_view word, polygon
     ++to.not_polygons;
   } else if (!is_one_of(word, no_geometry_of_obj)) {
     if (is_one_of(word, not_read_of_obj) || !is_unknown_keyword(word))
-      from.fail(word, "v, f or another keyword of a mesh; curves and free-form surfaces are not read");
+      from.fail(word, "v, f or another keyword of a mesh; curves and free-form surfaces are not supported");
     to.skip_line(from.place_of(word));
   }
   while (from.next_line()) {

@@ -109,7 +109,7 @@ inline void check_ply_header(const mesh_source& from, const ply_header& header) 
   const ply_element* const face = header.find("face");
   refuse_unless(face != nullptr, "'element face' and how many there are");
   const ply_element* const strips = header.find("tristrips");
-  refuse_unless(strips == nullptr || strips->rows == 0, "faces alone; triangle strips are not read");
+  refuse_unless(strips == nullptr || strips->rows == 0, "faces; triangle strips are not supported");
   int lists = 0;
   for (const ply_property& p : face->properties)
     lists += is_corner_list(p) && p.is_list() && is_whole(p.type);

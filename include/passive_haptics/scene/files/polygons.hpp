@@ -134,7 +134,8 @@ inline std::string to_mesh(polygons&& from, double metres_per_unit, mesh_file& f
   file.skipped_bytes = from.skipped_bytes;
   file.remarks = remarks_on(file, twisted.empty() ? "" : indexed(from.place_name, twisted.front(), ""),
                             from.first_skipped);
-  return file.mesh.facets.empty() ? "no triangle has an area, expected one or more" : "";
+  return file.mesh.facets.empty() ? "all triangles are degenerate (zero area), expected one with an area"
+                                  : "";
 }
 
 }  // namespace passive_haptics::detail

@@ -36,12 +36,12 @@ inline void check_end_of_stl(mesh_source& from, std::size_t count, polygons& to)
   from.seek(std::min(size, found));
   if (found < size)
     from.fail_here("the file ends", indexed(indexed("", size, " bytes, those of "), count,
-                                            " triangles; it was cut off, or is no STL"));
+                                            " triangles; it was cut off, or is not an STL file"));
   const std::size_t more = from.left() / stl_triangle;
   if (more > 0 && (more > count || from.left() % stl_triangle == 0) && !from.only_padding_is_left()) {
     from.seek(stl_head - sizeof(std::uint32_t));
     from.fail_here(indexed("a count of ", count, " triangles"),
-                   indexed("", count + more, ", for which the file has bytes; write the file anew"));
+                   indexed("", count + more, ", for which the file has bytes; write the file again"));
   }
   to.skipped_bytes = from.left();
 }
@@ -103,7 +103,7 @@ inline void read_ascii_stl(mesh_source& from, polygons& to) {
     return word;
   };
   std::string_view word = next();
-  if (!is_keyword(word, "solid")) from.fail(word, "'solid'; it was cut off, or is no STL");
+  if (!is_keyword(word, "solid")) from.fail(word, "'solid'; it was cut off, or is not an STL file");
   while (!word.empty()) {
     from.next_line();
     for (word = next(); !is_keyword(word, "endsolid"); word = next()) {

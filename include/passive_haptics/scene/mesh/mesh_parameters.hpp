@@ -35,7 +35,7 @@ inline constexpr double min_slenderness = 1e-10;
 /// What is wrong with the parameters; empty if nothing. Names the first facet that is wrong.
 template <int D>
 std::string validate(const mesh_parameters<D>& p) {
-  if (p.facets.empty()) return "facets of a mesh are none, expected one or more";
+  if (p.facets.empty()) return "a mesh has no facets, expected one or more";
   for (std::size_t i = 0; i < p.vertices.size(); ++i) {
     if (!all_finite(p.vertices[i]))
       return detail::indexed("vertex ", i, " of a mesh is not finite, expected metres");

@@ -23,7 +23,7 @@ std::string validate(const mesh_solid_parameters<D>& p) {
   if (p.surface.content() > 0) return {};
   return detail::error_text(D == 2 ? "area of a mesh_solid [m^2]" : "volume of a mesh_solid [m^3]",
                             p.surface.content(),
-                            "> 0; swap two vertices of every facet, or take complement() for a room");
+                            "> 0; swap two vertices of every facet, or use complement() for a room");
 }
 
 /// distance(x) = +- |x - nearest point|, with the sign of (x - nearest point) . pseudonormal there. Exact on

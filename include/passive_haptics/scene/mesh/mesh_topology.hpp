@@ -72,7 +72,7 @@ std::string check_ridge(const ridge<D>* first, const ridge<D>* last) {
   text.append(" of a mesh_solid");
   if (last - first == 1)
     return indexed(text.append(" belongs to facet "), first->facet,
-                   " alone, expected a closed surface; close the hole, or take mesh_surface");
+                   " only, expected a closed surface; close the hole, or use mesh_surface");
   if (last - first == 2)
     return indexed(indexed(text.append(": facets "), first->facet, " and "), first[1].facet,
                    " run the same way, expected opposite ways; swap two vertices of one of them");

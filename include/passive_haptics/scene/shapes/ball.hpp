@@ -49,7 +49,7 @@ class ball {
 
   /// Not in this order.
   ball(double, const point<D>&, filling = filling::solid) {
-    static_assert(D < 0, "passive_haptics: a ball is made of (centre, radius), in this order.");
+    static_assert(D < 0, "passive_haptics: the arguments of a ball are (centre, radius), in this order.");
   }
 
   /// Signed distance [m]; one square root.

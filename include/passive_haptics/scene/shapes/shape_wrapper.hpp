@@ -12,7 +12,7 @@ namespace passive_haptics {
 /// itself, except bounds(), which depend on what the wrapper does.
 template <class S>
 class shape_wrapper {
-  static_assert(Shape<S>, "passive_haptics: what is wrapped must be a Shape (scene/shape.hpp).");
+  static_assert(Shape<S>, "passive_haptics: the wrapped type must be a Shape (scene/shape.hpp).");
 
  public:
   static constexpr int dimension = S::dimension;                  ///< d
