@@ -29,7 +29,7 @@ void cycle() { run(table(), ph::unlimited_brakes(), room, ph::velocity_direct_co
 #endif
 
 #ifdef torque_law_of_other_brakes
-// error: passive_haptics: torque() of this law takes brakes_of<M> alone
+// error: passive_haptics: torque() of this law accepts only brakes_of<M>
 struct law {
   static constexpr bool commands_torques = true;
   struct memory {};

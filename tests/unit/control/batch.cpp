@@ -138,7 +138,7 @@ TEST(batch, refuses_arrays_of_other_lengths) {
             "has; or leave hand_force empty");
   EXPECT_EQ(error_after([](auto& s, auto&) { s.hand_force = {}; }),
             "passive_haptics: length of hand_force[0] = 0, expected 10, as the law needs a hand force; or "
-            "take a law that needs none (no_direct_control)");
+            "use a law that needs none (no_direct_control)");
   EXPECT_EQ(error_after([](auto&, auto& r) { r.outcome = {}; }),
             "passive_haptics: length of outcome = 0, expected 10, one number for each state, as q[0] has");
   EXPECT_EQ(error_after([](auto&, auto& r) { r.alpha = r.alpha.first(1); }),

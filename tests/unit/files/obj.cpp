@@ -36,8 +36,7 @@ TEST_F(an_obj_file, that_is_wrong_is_named_with_place_and_expectation) {
            {"v 0 0 1.5e", "line 1: '1.5e', expected a coordinate; the file was cut off"},
            {v3 + "curv 0 1 1 2\n",
             "line 4: 'curv', expected v, f or another keyword of a mesh; curves and free-form surfaces are "
-            "not "
-            "read"},
+            "not supported"},
            {std::string(100, 'x'),
             "line 1: 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...', expected a keyword of a mesh; the file "
             "has "

@@ -59,8 +59,8 @@ TEST_F(an_stl_file, may_have_bytes_behind_its_triangles) {
                 "bytes behind the end of the data, skipped: " + std::to_string(more.size()) + "\n");
     }
     EXPECT_EQ(stl_error(bytes.substr(0, bytes.size() - 1)),
-              "byte 683: the file ends, expected 684 bytes, those of 12 triangles; it was cut off, or is no "
-              "STL");
+              "byte 683: the file ends, expected 684 bytes, those of 12 triangles; it was cut off, or is not "
+              "an STL file");
   }
 }
 
@@ -76,8 +76,7 @@ TEST_F(an_stl_file, with_more_triangles_than_it_says_is_refused) {
     for (const std::string& more : {std::string(), std::string("ab")})
       EXPECT_EQ(stl_error(wrong + more),
                 "byte 80: a count of " + std::to_string(count) +
-                    " triangles, expected 12, for which the file has bytes; write the "
-                    "file anew");
+                    " triangles, expected 12, for which the file has bytes; write the file again");
   }
 }
 

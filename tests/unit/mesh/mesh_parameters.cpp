@@ -116,15 +116,13 @@ TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
   auto p = cube();
   p.facets.pop_back();  // 3, 7, 5
   EXPECT_EQ(error_of_solid(p),
-            "edge between vertices 3 and 5 of a mesh_solid belongs to facet 10 alone, expected a closed "
-            "surface; close "
-            "the hole, or take mesh_surface");
+            "edge between vertices 3 and 5 of a mesh_solid belongs to facet 10 only, expected a closed "
+            "surface; close the hole, or use mesh_surface");
   auto s = square();
   s.facets.pop_back();  // 2, 0
-  EXPECT_EQ(
-      error_of_solid(s),
-      "vertex 0 of a mesh_solid belongs to facet 0 only, expected a closed surface; close the hole, or take "
-      "mesh_surface");
+  EXPECT_EQ(error_of_solid(s),
+            "vertex 0 of a mesh_solid belongs to facet 0 only, expected a closed surface; close the hole, or "
+            "use mesh_surface");
 
   p = cube();
   std::swap(p.facets[1][0], p.facets[1][1]);
@@ -148,13 +146,11 @@ TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
             "the other; remove what is within the solid");
 
   EXPECT_EQ(error_of_solid(sample_meshes::inside_out(cube())),
-            "volume of a mesh_solid [m^3] = -1, expected > 0; swap two vertices of every facet, or take "
-            "complement() "
-            "for a room");
+            "volume of a mesh_solid [m^3] = -1, expected > 0; swap two vertices of every facet, or use "
+            "complement() for a room");
   EXPECT_EQ(error_of_solid(sample_meshes::inside_out(square())),
-            "area of a mesh_solid [m^2] = -1, expected > 0; swap two vertices of every facet, or take "
-            "complement() for "
-            "a room");
+            "area of a mesh_solid [m^2] = -1, expected > 0; swap two vertices of every facet, or use "
+            "complement() for a room");
   EXPECT_THROW(ph::mesh_solid<3>{ph::triangle_mesh(sample_meshes::inside_out(cube()))},
                std::invalid_argument);
 }
