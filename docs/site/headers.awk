@@ -5,6 +5,10 @@ FNR == 1 {
   if (!sub(/^.*include\/passive_haptics\//, "", group) || !sub(/\/[^\/]*$/, "", group)) group = ""
   gsub(/\//, "_", group)
 }
+# The first comment of a header is about the file, and members() is the same table everywhere
+FNR == 1 && /^\/\/\/ / && !/@file/ { sub(/^\/\/\/ /, "/// @file " substr(FILENAME, match(FILENAME, /include\//)) " ") }
+/static constexpr auto members\(\)/ && before !~ /^ *\/\/\// { sub(/static/, "/** The table of core/parameters.hpp. */ static") }
+{ before = $0 }
 # A dot product, or the number of a figure, does not end a brief description.
 /\/\/\// {
   gsub(/ \. /, " · ")

@@ -1,7 +1,5 @@
-/// @file
-/// Everything that a device's control cycle is made of; needs no more than Eigen, Boost.Hana and the standard
-/// library. The simulated device of plant/ and the models of its brakes, plant/brakes/, are included by
-/// themselves: passive_haptics/plant/wall_following.hpp.
+/// All headers for a device's control cycle. Requires only Eigen, Boost.Hana and the standard library. The
+/// simulated device has its own headers: passive_haptics/plant/wall_following.hpp.
 #pragma once
 
 #include <passive_haptics/core/parameter_text.hpp>

@@ -1,5 +1,4 @@
-/// @file
-/// What a type provides of the brakes: limits, intervals, dead bands, lags, each optional.
+/// Concepts of brakes: optional limits, intervals, dead bands and lags.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -15,7 +14,7 @@ namespace detail {
 
 template <class B>
 concept names_torque_limit = requires(const B brakes) { brakes.torque_limit; };
-// So that a misspelled limit is not none
+// Explicit, so that a misspelled torque_limit is an error
 template <class B>
 concept is_unlimited = !names_torque_limit<B> && requires { requires B::unlimited; };
 template <class B>
@@ -33,45 +32,40 @@ concept names_time_constant = requires(const B brakes) { brakes.time_constant; }
 
 }  // namespace detail
 
-/// Brakes with a largest torque: `vector<T, m> torque_limit` [N m], >= 0. A type without it says
-/// `static constexpr bool unlimited = true`; then nothing is ever cut.
+/// Brakes with `vector<T, m> torque_limit` [N m], >= 0. Others need `static constexpr bool unlimited = true`.
 template <class B, class T, int Brakes>
 concept LimitedBrakes = requires(const B brakes) {
   { brakes.torque_limit } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes that may be off or work one way (a clutch that is released, a one-way clutch, a slack tendon):
-/// `vector<T, m> torque_lower, torque_upper` [N m], torque_lower <= 0 <= torque_upper, infinite where there
-/// is no bound. In a cycle brake i can make the torques between them, signed on its own axis, and within
-/// +-torque_limit; where both are 0 it is off. Without them each brake works both ways.
+/// Brakes that may be off or one-way (a released clutch, a one-way clutch, a slack tendon): `vector<T, m>
+/// torque_lower, torque_upper` [N m], torque_lower <= 0 <= torque_upper, infinite if unbounded. Brake i can
+/// produce torques between them, signed on its own axis, and within +-torque_limit; it is off if both are 0.
 template <class B, class T, int Brakes>
 concept SwitchableBrakes = requires(const B brakes) {
   { brakes.torque_lower } -> ExactVector<T, Brakes>;
   { brakes.torque_upper } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes that can be at rest: `vector<T, m> rate_dead_band` [rad/s], >= 0. Without it they always slip:
-/// s = sgn(w), and no hand torque is computed.
+/// Brakes that can be at rest: `vector<T, m> rate_dead_band` [rad/s], >= 0. Others always slip: s = sgn(w).
 template <class B, class T, int Brakes>
 concept StickingBrakes = requires(const B brakes) {
   { brakes.rate_dead_band } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes at rest that ignore a small push: `vector<T, m> torque_dead_band` [N m], >= 0. Without it any push
-/// counts.
+/// Brakes at rest that ignore small torques: `vector<T, m> torque_dead_band` [N m], >= 0. Default: none.
 template <class B, class T, int Brakes>
 concept TorqueDeadBandBrakes = StickingBrakes<B, T, Brakes> && requires(const B brakes) {
   { brakes.torque_dead_band } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes of a known lag: `vector<T, m> time_constant` [s], >= 0. Only laws that need it read it.
+/// Brakes with a known lag: `vector<T, m> time_constant` [s], >= 0. For laws that need it.
 template <class B, class T, int Brakes>
 concept LaggingBrakes = requires(const B brakes) {
   { brakes.time_constant } -> ExactVector<T, Brakes>;
 };
 
-/// The requirements of BrakesFor, one message for each. What takes brakes begins with
-/// `static_assert(are_brakes<B, M, explain>())`.
+/// Requirements of BrakesFor, with one message each: `static_assert(are_brakes<B, M, explain>())`.
 template <class B, class M, bool Explain = false>
 consteval bool are_brakes() {
   if constexpr (!Mechanism<M>) return is_mechanism<M, Explain>();
@@ -113,62 +107,59 @@ consteval bool are_brakes() {
   return Explain;
 }
 
-/// What a control cycle takes for the m brakes of mechanism M: a class with any of the members torque_limit,
+/// Brakes for a control cycle of mechanism M with m brakes: a class with any of the members torque_limit,
 /// torque_lower and torque_upper, rate_dead_band, torque_dead_band and time_constant, of exactly these types.
-/// What a type lacks costs nothing. switchable_brakes has all, brake_parameters all but the interval,
+/// Missing members cost nothing. switchable_brakes has all, brake_parameters all except the interval,
 /// unlimited_brake_parameters the dead bands, unlimited_brakes none.
 template <class B, class M>
 concept BrakesFor = are_brakes<B, M>();
 
-/// Brakes without a member: each makes any torque at once, and slips at any rate but zero. The fewest
-/// instructions. For a device whose walls never demand more than its brakes can make (a soft wall, or a
-/// driver that limits the current itself), and whose rates are exactly 0 at rest (encoders).
-///
-/// A brake at rest has sign 0: it may hold either way, whoever pushes. A rate that is noise about zero
-/// decides a sign. 0 <= capacity, without an upper bound.
+/// Brakes without limits or dead bands, with the fewest instructions. For a device with walls that never
+/// demand more than its brakes can produce (soft walls, or a driver that limits the current), and with rates
+/// that are exactly 0 at rest (encoders). A brake at rest has sign 0, so it may hold either way.
 struct unlimited_brakes {
   static constexpr bool unlimited = true;  ///< Explicitly without a torque_limit.
 };
 
-/// Nothing can be wrong with them.
+/// Always empty.
 inline error_message validate(const unlimited_brakes&) { return {}; }
 
-/// Most torque of brake i [N m]; infinite where no limit is named.
+/// Maximum torque of brake i [N m]; infinite without a limit.
 template <class T, class B>
 T torque_limit_of(const B& brakes, int i) {
   if constexpr (detail::names_torque_limit<B>) return brakes.torque_limit[i];
   else return std::numeric_limits<T>::infinity();
 }
 
-/// Torque limits of all brakes (m) [N m]; infinite where none is named.
+/// Maximum torques of all brakes (m) [N m]; infinite without a limit.
 template <class T, int Brakes, class B>
 vector<T, Brakes> torque_limits_of(const B& brakes) {
   if constexpr (detail::names_torque_limit<B>) return brakes.torque_limit;
   else return vector<T, Brakes>::Constant(std::numeric_limits<T>::infinity());
 }
 
-/// Rate under which brake i counts as at rest [rad/s]; 0 where no dead band is named.
+/// Rate below which brake i is at rest [rad/s]; 0 without a dead band.
 template <class T, class B>
 T rate_dead_band_of(const B& brakes, int i) {
   if constexpr (detail::names_rate_dead_band<B>) return brakes.rate_dead_band[i];
   else return T(0);
 }
 
-/// Hand torques that count as none [N m]; 0 where no dead band is named.
+/// Hand torques that are ignored (m) [N m]; 0 without a dead band.
 template <class T, int Brakes, class B>
 vector<T, Brakes> torque_dead_bands_of(const B& brakes) {
   if constexpr (detail::names_torque_dead_band<B>) return brakes.torque_dead_band;
   else return vector<T, Brakes>::Zero();
 }
 
-/// Where a torque_lower may lie.
+/// Valid torque_lower.
 inline constexpr range lower_torques =
     range::between(-range::infinity, 0).as("a number <= 0, or -inf for no bound");
-/// Where a torque_upper may lie.
+/// Valid torque_upper.
 inline constexpr range upper_torques =
     range::between(0, range::infinity).as("a number >= 0, or inf for no bound");
 
-/// What is wrong with the brakes, whatever members they have; empty if nothing.
+/// Returns the first error of the members that the brakes have, or an empty one.
 template <class B>
 error_message check_brakes(const B& brakes) {
   [[maybe_unused]] constexpr range size = range::not_negative;

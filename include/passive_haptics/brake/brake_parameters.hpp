@@ -1,4 +1,3 @@
-/// @file
 /// Limits, dead bands and lags of the brakes.
 #pragma once
 
@@ -6,20 +5,18 @@
 
 namespace passive_haptics {
 
-/// The m brakes of a device, each value on the brake's own axis. For a sliding brake read N for N m and m/s
-/// for rad/s.
+/// The m brakes of a device, on their own axes. For a sliding brake, read N for N m and m/s for rad/s.
 template <class T, int Brakes>
 struct brake_parameters {
-  /// Largest torque [N m]. The paper prints none; 1 N m is a small magnetic-particle brake.
+  /// Maximum torque [N m]. The paper gives none; 1 N m is a small magnetic-particle brake.
   vector<T, Brakes> torque_limit = vector<T, Brakes>::Constant(T(1));
-  /// Karnopp dead band: a slower brake counts as at rest [rad/s].
+  /// Karnopp dead band: rate below which a brake is at rest [rad/s].
   vector<T, Brakes> rate_dead_band = vector<T, Brakes>::Constant(T(0.02));
-  /// A smaller hand torque counts as none [N m]. Far below any force sensor; it keeps denormals out.
+  /// Hand torques below this are ignored [N m]. Far below the resolution of force sensors; avoids denormals.
   vector<T, Brakes> torque_dead_band = vector<T, Brakes>::Constant(T(1e-9));
   /// Time constant of the first-order response [s]; section 5.1: about 20 ms.
   vector<T, Brakes> time_constant = vector<T, Brakes>::Constant(T(0.020));
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = brake_parameters;
     return member_table(
@@ -31,13 +28,13 @@ struct brake_parameters {
   }
 };
 
-/// Brakes that can be at rest, explicitly without a torque limit: dead bands alone.
+/// Brakes with dead bands and explicitly without a torque limit.
 template <class T, int Brakes>
 struct unlimited_brake_parameters {
   static constexpr bool unlimited = true;  ///< Explicitly without a torque_limit.
-  /// Karnopp dead band: a slower brake counts as at rest [rad/s].
+  /// As in brake_parameters [rad/s].
   vector<T, Brakes> rate_dead_band = brake_parameters<T, Brakes>().rate_dead_band;
-  /// A smaller hand torque counts as none [N m].
+  /// As in brake_parameters [N m].
   vector<T, Brakes> torque_dead_band = brake_parameters<T, Brakes>().torque_dead_band;
 };
 

@@ -1,5 +1,4 @@
-/// @file
-/// The generators of the forces that brakes can produce.
+/// Generators of the forces that brakes can produce.
 #pragma once
 
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
@@ -19,20 +18,18 @@ template <class M>
 concept has_inverse_transposed_jacobian = requires(const M mechanism, const joint_vector<M> q) {
   { mechanism.inverse_transposed_jacobian(q) } -> ExactMatrix<typename M::scalar, M::task_dimension, M::dof>;
 };
-// Of a mechanism behind virtual functions (runtime/mechanism_of_kind.hpp).
+// For a mechanism behind virtual functions (runtime/mechanism_of_kind.hpp).
 template <class M>
 concept has_force_generators = requires(const mechanism_pose<M>& pose) {
   { pose.mechanism().force_generators(pose.own()) } -> std::same_as<brake_matrix<M>>;
 };
 }  // namespace detail
 
-/// Forces that brake torques make, F = J^-T t with joint torques t, for n = d.
-///
+/// Forces of brake torques, F = J^-T t with joint torques t, for n = d.
 /// @equation{4}
 ///
-/// One column for a unit torque of each brake, G = J^-T T^T (d x m) [N per N m], however many brakes there
-/// are. From inverse_transposed_jacobian (two_link) or inverse_jacobian (closed chains) where the mechanism
-/// has one. Not finite at a singular J. Cost: one orthogonal decomposition of d x d.
+/// G = J^-T T^T (d x m) [N per N m], one column per brake. Uses inverse_transposed_jacobian or
+/// inverse_jacobian if the mechanism has it. Not finite if J is singular. Cost: a d x d decomposition.
 template <class M>
   requires(M::dof == M::task_dimension)
 brake_matrix<M> force_generators(const mechanism_pose<M>& pose) {

@@ -1,22 +1,19 @@
-/// @file
-/// What a brake makes of a commanded torque: the passive constraint (3).
+/// Torques that brakes produce for a command: the passive constraint (3).
 #pragma once
 
 #include <passive_haptics/brake/signs.hpp>
 
 namespace passive_haptics {
 
-/// Torques (m) [N m] that brakes produce when torques td are commanded, at rates w, hand torques th and signs
-/// s = brake_signs(w, th, brakes):
+/// Torques (m) [N m] for commands td, rates w, hand torques th and signs s = brake_signs(w, th, brakes):
 ///
-///     slip (3a):   t = -sgn(w) |td|               where td opposes the motion, else 0 (released);
-///     stick (3b):  t = -sgn(th) min(|td|, |th|)   where td opposes the hand, else 0 (released).
+///     slip (3a):   t = -sgn(w) |td|               if td opposes the motion, else 0 (released);
+///     stick (3b):  t = -sgn(th) min(|td|, |th|)   if td opposes the hand, else 0 (released).
 ///
-/// As printed, (3b) is -th: it assumes that the brake holds. A brake holds up to its command, so this equals
-/// (3b) wherever |td| >= |th|. Brakes without a rate_dead_band only slip.
+/// The paper prints (3b) as -th, which is equal if |td| >= |th|. Brakes without a rate_dead_band slip.
 ///
-/// Guaranteed: s_i t_i <= 0 and |t_i| <= |td_i| exactly. Where a self-motion settles a cycle gives -s_i
-/// |td_i| for td_i: a brake that is commanded resists the rate that it has.
+/// Guarantees s_i t_i <= 0 and |t_i| <= |td_i| exactly. With a settled self-motion, a cycle passes -s_i
+/// |td_i| as td_i: each commanded brake resists its current rate.
 /// @equation{3}
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,
@@ -32,7 +29,7 @@ vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Br
   }
 }
 
-/// Torques (m) [N m] that brakes produce when torques td are commanded, with s = brake_signs(w, th, brakes).
+/// As above, with signs from brake_signs(w, th, brakes).
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,
                                  const vector<T, Brakes>& th, const B& brakes) {

@@ -1,5 +1,4 @@
-/// @file
-/// Passive force manipulability ellipsoids: the forces a set of brakes can produce (Figs. 2 and 3).
+/// Passive force manipulability ellipsoids (FMEs): the forces a set of brakes can produce (Figs. 2 and 3).
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
@@ -9,12 +8,11 @@
 
 namespace passive_haptics {
 
-/// Signs (-1 or 1) of the torques of m brakes in one passive FME.
+/// Torque signs (-1 or 1) of m brakes in one passive FME.
 template <int Brakes>
 using torque_signs = std::array<int, std::size_t(Brakes)>;
 
-/// The 2^m passive FMEs, named by the signs of their torques. For two brakes (+,+), (+,-), (-,+), (-,-): the
-/// second is the paper's passive FME 2, the only one whose signs it prints.
+/// Torque signs of the 2^m passive FMEs. For two brakes (+,+), (+,-) (the paper's FME 2), (-,+), (-,-).
 template <int Brakes>
 constexpr std::array<torque_signs<Brakes>, (1u << Brakes)> passive_fme_regions() {
   std::array<torque_signs<Brakes>, (1u << Brakes)> regions{};
@@ -24,7 +22,7 @@ constexpr std::array<torque_signs<Brakes>, (1u << Brakes)> passive_fme_regions()
   return regions;
 }
 
-/// Signs of the torques that brakes moving with signs s can produce: -s. For s without zeros.
+/// Torque signs -s that brakes with rates of signs s can produce. s must not contain zeros.
 template <class T, int Brakes>
 constexpr torque_signs<Brakes> producible_signs(const vector<T, Brakes>& s) {
   torque_signs<Brakes> signs{};
@@ -41,15 +39,14 @@ bool has_signs(const vector<T, Brakes>& t, const torque_signs<Brakes>& signs) {
 }
 }  // namespace detail
 
-/// True if F [N] lies in the passive FME { F : |t| <= 1 N m, t_i of the region's sign }, t = E^T F. Its faces
-/// belong to it.
+/// True if F [N] is in the closed passive FME { F : |t| <= 1 N m, t_i of the region's sign }, t = E^T F.
 template <class EMatrix, class T, int D, std::size_t Brakes>
 bool in_passive_fme(const EMatrix& E, const std::array<int, Brakes>& region, const vector<T, D>& F) {
   const vector<T, static_cast<int>(Brakes)> t = brake_torque(E, F);
   return t.norm() <= T(1) && detail::has_signs<T, static_cast<int>(Brakes)>(t, region);
 }
 
-/// True if F [N] can be produced within torque limits [N m]: t_i of the region's sign and |t_i| <= limit_i.
+/// True if F [N] is within torque limits [N m]: t_i has the region's sign and |t_i| <= limit_i.
 template <class EMatrix, class T, int D, std::size_t Brakes>
 bool in_torque_box(const EMatrix& E, const std::array<int, Brakes>& region, const vector<T, D>& F,
                    const vector<T, static_cast<int>(Brakes)>& limit) {

@@ -1,5 +1,4 @@
-/// @file
-/// Reference forces: what each brake alone does at the end effector (6).
+/// Reference forces: the force of each brake at the end effector (6).
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
@@ -11,23 +10,19 @@
 
 namespace passive_haptics {
 
-/// Reference forces of all brakes at one pose.
+/// Reference forces of all brakes in one pose.
 template <class M>
 struct reference_force_set {
-  /// The forces (4) of unit torques (d x m) [N per N m]. NaN unless outcome is ok.
-  brake_matrix<M> G;
+  brake_matrix<M> G;            ///< Forces (4) of unit torques (d x m) [N per N m]. NaN unless outcome is ok.
   status outcome = status::ok;  ///< ok, pose_undefined, or singular_jacobian.
 
-  /// R_i+ [N per N m], the force of brake i alone for a torque > 0. Brakes are counted from 0.
-  ///
+  /// R_i+ [N per N m], the force of brake i for a unit torque > 0. Brakes are counted from 0.
   /// @equation{6}
   task_vector<M> positive(int i) const { return G.col(i); }
-  /// R_i- [N per N m], the same for a torque < 0.
-  task_vector<M> negative(int i) const { return -G.col(i); }
+  task_vector<M> negative(int i) const { return -G.col(i); }  ///< R_i- [N per N m], for a torque < 0.
 };
 
-/// The reference forces in pose q, for n = d = m. For looking at the device (passive FME): the control step
-/// never needs this inverse. Cost: two decompositions of d x d.
+/// Reference forces in pose q, for n = d = m, for analysis of a device. Cost: two d x d decompositions.
 template <class M>
   requires(M::dof == M::task_dimension && M::brake_count == M::dof)
 reference_force_set<M> reference_forces(const M& mechanism, const joint_vector<M>& q) {

@@ -1,9 +1,8 @@
-/// @file
-/// Which way each brake can pull: the sign rule with Karnopp's dead band.
+/// Sign rule of the brakes, with Karnopp's dead band:
 ///
-///     s_i = sgn(w_i)    where the brake slips, |w_i| > its rate dead band,
-///     s_i = sgn(th_i)   where it sticks and the hand's torque on it is over its torque dead band,
-///     s_i = 0           else: it may hold either way.
+///     s_i = sgn(w_i)    if the brake slips, |w_i| > its rate dead band,
+///     s_i = sgn(th_i)   if it sticks and the hand torque on it exceeds its torque dead band,
+///     s_i = 0           otherwise: it may hold either way.
 ///
 /// A brake produces only torques with s_i t_i <= 0 (3).
 #pragma once
@@ -15,17 +14,14 @@
 
 namespace passive_haptics {
 
-/// True where a brake turns faster than its dead band (slip); else the brake is at rest (stick). For a number
-/// or for lanes.
+/// True if a brake slips: its rate exceeds its dead band. For a number or lanes.
 template <class T>
 auto slips(const T& rate, const T& rate_dead_band) {
   using std::abs;
   return abs(rate) > rate_dead_band;
 }
 
-/// Sign s of a brake: that of its rate w in slip, else that of the hand torque th on it, else 0. A brake
-/// produces only torques with s t <= 0 (3). s = 0 (at rest, nobody pushes) restricts nothing.
-/// Dead bands are >= 0. For a number or for lanes.
+/// Sign s of a brake with rate w and hand torque th. Dead bands are >= 0. For a number or lanes.
 template <class T>
 T brake_sign(const T& w, const T& th, const T& rate_dead_band, const T& torque_dead_band) {
   using std::abs;
@@ -33,8 +29,8 @@ T brake_sign(const T& w, const T& th, const T& rate_dead_band, const T& torque_d
   return sgn(select(slips(w, rate_dead_band), w, push));
 }
 
-/// Signs s (m) of all brakes from their rates w [rad/s] and the hand torques th [N m] on their axes, each
-/// exactly -1, 0 or 1. Pass th = 0 where no hand force is known. Without a rate_dead_band s = sgn(w).
+/// Signs s (m) of all brakes, exactly -1, 0 or 1, from their rates w [rad/s] and the hand torques th [N m] on
+/// their axes. Pass th = 0 if the hand force is unknown. Without a rate_dead_band, s = sgn(w).
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes>& th, const B& brakes) {
   using each = lanes<T, Brakes>;
@@ -43,7 +39,7 @@ vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes
   else return sgn(each(w));
 }
 
-/// True if some brake is at rest: then hand torques decide its sign. False without a rate_dead_band.
+/// True if some brake is at rest, so that its hand torque decides the sign. False without a rate_dead_band.
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 bool any_sticks([[maybe_unused]] const vector<T, Brakes>& w, [[maybe_unused]] const B& brakes) {
   bool sticks = false;

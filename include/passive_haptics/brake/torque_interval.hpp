@@ -1,10 +1,8 @@
-/// @file
-/// Brakes that are off or work one way: which torques each can make in a cycle.
+/// Torque intervals of brakes that are off or one-way:
 ///
 ///     t_i in [lower_i, upper_i], |t_i| <= limit_i, s_i t_i <= 0 (3)
 ///
-/// A brake that is left with {0} is off, and one that is left with one way has the sign of that way, also at
-/// rest. Brakes without torque_lower and torque_upper are all on, and what stands here costs them nothing.
+/// A brake limited to {0} is off. A one-way brake has the sign of its direction, also at rest.
 #pragma once
 
 #include <passive_haptics/brake/brake_concepts.hpp>
@@ -14,8 +12,7 @@
 
 namespace passive_haptics {
 
-/// Most torque [N m], >= 0, of brake i in the direction of a torque: upper where `torque` is > 0, else
-/// -lower; never more than the limit. Infinite where there is no bound.
+/// Maximum torque [N m], >= 0, of brake i in the direction of `torque`; infinite if unbounded.
 template <class T, class B>
 T torque_bound_of(const B& brakes, int i, [[maybe_unused]] T torque) {
   const T limit = passive_haptics::torque_limit_of<T>(brakes, i);
@@ -24,7 +21,7 @@ T torque_bound_of(const B& brakes, int i, [[maybe_unused]] T torque) {
   else return limit;
 }
 
-/// torque_bound_of of all brakes in the directions of the torques t.
+/// Bounds of all brakes in the directions of the torques t, as from torque_bound_of.
 template <class B, class T, int Brakes>
 vector<T, Brakes> torque_bounds_of(const B& brakes, const vector<T, Brakes>& t) {
   vector<T, Brakes> bound;
@@ -32,7 +29,7 @@ vector<T, Brakes> torque_bounds_of(const B& brakes, const vector<T, Brakes>& t) 
   return bound;
 }
 
-/// Most torque [N m], >= 0, of each brake in either direction.
+/// Maximum torque [N m], >= 0, of each brake in either direction.
 template <class T, int Brakes, class B>
 vector<T, Brakes> max_torques_of(const B& brakes) {
   const vector<T, Brakes> limit = passive_haptics::torque_limits_of<T, Brakes>(brakes);
@@ -41,8 +38,8 @@ vector<T, Brakes> max_torques_of(const B& brakes) {
   else return limit;
 }
 
-/// The signs s (m) of the torques that brakes can make: those of brake_signs; for a brake at rest that works
-/// one way, s = 0, that of this way. Of brakes without an interval it is s itself.
+/// Signs s (m) for the torques that brakes can produce: as from brake_signs, but a one-way brake at rest, s =
+/// 0, has the sign of its direction. Returns s itself for brakes without an interval.
 template <class B, class T, int Brakes>
 decltype(auto) signs_within(const vector<T, Brakes>& s, [[maybe_unused]] const B& brakes) {
   if constexpr (SwitchableBrakes<B, T, Brakes>) {
@@ -58,11 +55,10 @@ decltype(auto) signs_within(const vector<T, Brakes>& s, [[maybe_unused]] const B
   }
 }
 
-/// In place of a vector of brakes that are off: all are on.
+/// Replaces a vector of brakes_off if all are on.
 struct all_brakes_on {};
 
-/// 1 for each brake that is off with these signs, from signs_within, else 0. all_brakes_on for brakes without
-/// an interval.
+/// 1 for each brake that is off with signs s from signs_within, else 0; all_brakes_on without intervals.
 template <class B, class T, int Brakes>
 auto brakes_off(const vector<T, Brakes>& s, [[maybe_unused]] const B& brakes) {
   if constexpr (SwitchableBrakes<B, T, Brakes>) {
@@ -80,7 +76,6 @@ auto brakes_off(const vector<T, Brakes>& s, [[maybe_unused]] const B& brakes) {
 
 namespace detail {
 
-// Whether a brake is off, of a vector from brakes_off.
 template <class Off>
 bool is_off([[maybe_unused]] const Off& off, [[maybe_unused]] int i) {
   if constexpr (std::is_same_v<Off, all_brakes_on>) return false;

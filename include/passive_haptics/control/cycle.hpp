@@ -1,6 +1,4 @@
-/// @file
-/// The control cycle, for any device, law and walls. Section 4 itself is in control/pipelines/, one file for
-/// each pipeline; control/pipelines/one_wall.hpp is the paper's.
+/// The control cycle. Section 4 is in control/pipelines/; control/pipelines/one_wall.hpp is the paper's.
 #pragma once
 
 #include <passive_haptics/brake/passive_constraint.hpp>
@@ -15,28 +13,26 @@
 
 namespace passive_haptics {
 
-/// The brakes at rates w [rad/s or m/s]: those whose limits depend on them (rate_limited_brakes), or as they
-/// are.
+/// The brakes at rates w [rad/s or m/s], with their current limits for rate_limited_brakes.
 template <class B, class Rates>
 decltype(auto) brakes_at(const B& brakes, const Rates& w) {
   if constexpr (requires { brakes.at(w); }) return brakes.at(w);
   else return (brakes);
 }
 
-/// What the brakes do about the walls that are touched. pose: of the mechanism; x: the end effector [m]. What
-/// Result has no member for is not computed.
+/// Displays the touched walls. x: end effector [m]. Only members of Result are computed.
 template <class Result, class Setup, class Pose, class State, int D, class Walls, class Memory>
 PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, const State& state,
                                           const point<D>& x, const Walls& touched, Memory& memory) {
   namespace ph = passive_haptics;  // No function of a user's namespace is meant
   using M = typename Setup::mechanism_type;
 
-  // What the walls demand
+  // Demand of the walls
   const pipeline_of<Result, Setup, Walls> pipeline{setup, touched};
   if (!pipeline.demands_force())
     return ph::released<Result>(setup, state.time, ph::status_without_force<M>(x, touched), memory);
 
-  // What the brakes can do: v = E w, t = E^T F, and the sign of each
+  // Abilities of the brakes: v = E w, t = E^T F, and the signs
   const auto E = setup.brake_jacobian(pose);
   const brake_vector<M> w = pose.brake_rates(state.qd);
   const auto& brakes = ph::brakes_at(setup.brakes, w);
@@ -47,15 +43,14 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
   const brake_situation<M, decltype(E), std::remove_cvref_t<decltype(brakes)>> device{
       setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh, th, setup.options};
 
-  // Section 4, and what the mechanism will feel of it
+  // Section 4, and the resulting torques on the mechanism
   const auto steps = pipeline.command(device, memory);
   const brake_vector<M> t =
       ph::passive_torque(form_of<M>::resisting(steps.td.torque, turning, brakes), w, th, turning, brakes);
   return pipeline.result(device, steps, t, memory);
 }
 
-/// One control cycle: where the device is, what it touches, what its brakes do. scene: of a controller, or
-/// the walls touched.
+/// One control cycle: pose, contacts, commands. scene: that of a controller, or the touched walls.
 template <class Result, class Setup, class S, class State, class Memory>
 PASSIVE_HAPTICS_PART Result cycle(const Setup& setup, S& scene, const State& state, Memory& memory) {
   namespace ph = passive_haptics;
@@ -75,8 +70,7 @@ PASSIVE_HAPTICS_PART Result cycle(const Setup& setup, S& scene, const State& sta
   return ph::display_walls<Result>(setup, pose, state, x, touched, memory);
 }
 
-/// Checks state and parameters, then runs the cycle: what step() and a controller call. parameters: of
-/// brakes, law and options, from check_parameters.
+/// Checks the state, then runs the cycle. parameters: from check_parameters.
 template <class Result, class Setup, class S, class State, class Memory>
 PASSIVE_HAPTICS_PART Result run_cycle(const Setup& setup, status parameters, S& scene, const State& state,
                                       Memory& memory) {

@@ -1,5 +1,4 @@
-/// @file
-/// What a control cycle works with, and the checks of it.
+/// Inputs of a control cycle, and their checks.
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
@@ -19,33 +18,32 @@
 namespace passive_haptics {
 
 namespace detail {
-// In place of a time that is not compared.
 struct any_time {};
 }  // namespace detail
 
-/// What a step remembers; start a motion with a fresh one.
+/// Memory of a step between cycles. Start a motion with a new one.
 template <class L>
 struct step_memory {
-  [[no_unique_address]] law_memory<L> law = {};  ///< The law's own part.
-  approximation_start start = {};                ///< Where the next approximation begins.
-  /// Of the last cycle, if the law uses time differences.
+  [[no_unique_address]] law_memory<L> law = {};  ///< Memory of the law.
+  approximation_start start = {};                ///< Start of the next approximation.
+  /// Time of the last cycle, if the law uses time differences.
   [[no_unique_address]] std::conditional_t<needs_rising_time<L>, rising_time, detail::any_time> time = {};
 };
 
-/// What stays from cycle to cycle, but for the scene and the memory: owned by a controller, given to step().
+/// Fixed inputs of a cycle, owned by a controller or given to step().
 template <class M, class B, class L>
 struct cycle_setup {
-  using mechanism_type = M;  ///< Of the mechanism.
-  using law_type = L;        ///< Of the law.
+  using mechanism_type = M;  ///< Mechanism type.
+  using law_type = L;        ///< Law type.
 
-  const M& mechanism;                                 ///< The mechanism.
-  const B& brakes;                                    ///< Its brakes.
-  const L& law;                                       ///< The control law.
-  const brake_jacobian_evaluator<M>& brake_jacobian;  ///< Of the mechanism.
+  const M& mechanism;                                 ///< Mechanism.
+  const B& brakes;                                    ///< Brakes.
+  const L& law;                                       ///< Control law.
+  const brake_jacobian_evaluator<M>& brake_jacobian;  ///< E of the mechanism.
   const step_options<typename M::scalar>& options;    ///< Options.
 };
 
-/// The walls touched at x [m]: of a scene, or given as they are.
+/// The walls touched at x [m], from a scene or given directly.
 template <class S, int D>
 decltype(auto) walls_at(S& scene, const point<D>& x, double time) {
   if constexpr (requires { sense(scene, x, time); }) return sense(scene, x, time);
@@ -53,7 +51,7 @@ decltype(auto) walls_at(S& scene, const point<D>& x, double time) {
   else return (scene);
 }
 
-/// Lets a scene give contacts from the law's margin on, where both have one.
+/// Requests contacts from the law's margin on, if scene and law support it.
 template <class S, class L, class B>
 void see_ahead([[maybe_unused]] S& scene, [[maybe_unused]] const L& law, [[maybe_unused]] const B& brakes) {
   if constexpr (SeesAhead<S> && has_margin<L, B>) scene.set_margin(law.margin(brakes));
@@ -67,11 +65,11 @@ template <class S>
 struct contacts_given<S> : std::type_identity<typename S::contacts_type> {};
 }  // namespace detail
 
-/// The contacts that a scene gives; contacts give themselves.
+/// Contacts type of a scene, or contacts themselves.
 template <class S>
 using contacts_of = typename detail::contacts_given<S>::type;
 
-/// v [m/s]: E w, but J qd where joints without a brake move, too.
+/// v [m/s]: E w, or J qd if joints without a brake may move.
 template <class M, class EMatrix>
 task_vector<M> velocity_of(const mechanism_pose<M>& pose, const EMatrix& E, const brake_vector<M>& w,
                            const joint_vector<M>& qd) {
@@ -79,15 +77,15 @@ task_vector<M> velocity_of(const mechanism_pose<M>& pose, const EMatrix& E, cons
   else return times(E, w);
 }
 
-/// Fh [N]; zero where the state has none.
+/// Fh [N]; zero if the state has none.
 template <class M, class State>
 task_vector<M> hand_force(const State& state) {
   if constexpr (HandForceState<State, M>) return state.hand_force;
   else return task_vector<M>::Zero();
 }
 
-/// The hand's torque on the brakes' axes [N m], which decides the signs of those at rest: that of the state,
-/// or E^T Fh; zero where nobody measures the hand, or no brake is ever at rest.
+/// Hand torque on the brake axes [N m]: that of the state, or E^T Fh; zero if unknown or if brakes always
+/// slip.
 template <class M, class State, class EMatrix, class B>
 brake_vector<M> hand_torque(const State& state, const EMatrix& E, const B&) {
   if constexpr (!StickingBrakes<B, typename M::scalar, M::brake_count>) return brake_vector<M>::Zero();
@@ -96,7 +94,7 @@ brake_vector<M> hand_torque(const State& state, const EMatrix& E, const B&) {
   else return brake_vector<M>::Zero();
 }
 
-/// Whether NaN or infinity stands in a state.
+/// state_not_finite if the state contains NaN or infinity, else ok.
 template <class M, class State>
 status check_state(const State& state) {
   bool finite;
@@ -108,7 +106,7 @@ status check_state(const State& state) {
   return finite ? status::ok : status::state_not_finite;
 }
 
-/// Whether the time of a state [s] rises, for a law that uses time differences. It is remembered.
+/// Checks that the time of a state [s] increases, if the law uses time differences, and stores it.
 template <class L>
 status check_time([[maybe_unused]] double time, [[maybe_unused]] step_memory<L>& memory) {
   if constexpr (needs_rising_time<L>) return memory.time.next(time);
@@ -116,7 +114,6 @@ status check_time([[maybe_unused]] double time, [[maybe_unused]] step_memory<L>&
 }
 
 namespace detail {
-// Whether each parameter of a law is in its range: of itself, or of its member `parameters`.
 template <class L>
 bool has_valid_members([[maybe_unused]] const L& law) {
   if constexpr (Parameters<L>) return is_in_range(law);
@@ -125,7 +122,7 @@ bool has_valid_members([[maybe_unused]] const L& law) {
 }
 }  // namespace detail
 
-/// Whether what a cycle reads of the brakes, the law and the options is in its range.
+/// parameters_invalid if a used parameter of the brakes, the law or the options is out of range, else ok.
 template <class T, class B, class L>
 status check_parameters([[maybe_unused]] const B& brakes, const L& law, const step_options<T>& options) {
   const auto valid_each = [](const auto& x) { return all_finite(x) && (x.array() >= T(0)).all(); };
@@ -140,14 +137,13 @@ status check_parameters([[maybe_unused]] const B& brakes, const L& law, const st
   return valid ? status::ok : status::parameters_invalid;
 }
 
-/// Whether a scene remembers what it was shown: sense() changes it.
+/// A scene with a sense() that changes it.
 template <class S, int D>
 concept RemembersHandle = !requires(const S& fixed, const point<D>& x) { sense(fixed, x); } &&
                           (requires(S& scene, const point<D>& x) { sense(scene, x); } ||
                            requires(S& scene, const point<D>& x) { sense(scene, x, 0.0); });
 
-/// False for a position that is not finite. True unchecked where J is constant, as finite q then gives finite
-/// x, unless the scene would remember one that overflowed.
+/// False if a position is not finite. Only checked if J is not constant or the scene could remember it.
 template <class M, class S, int D>
 bool is_usable_position(const S&, const point<D>& x) {
   if constexpr (RemembersHandle<S, D> || !detail::jacobian_is_constant<M>) return all_finite(x);

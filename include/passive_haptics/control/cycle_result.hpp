@@ -1,5 +1,4 @@
-/// @file
-/// How a control cycle ends: with a command, or with all brakes released and the reason.
+/// Results of a control cycle: a command, or released brakes and the reason.
 #pragma once
 
 #include <passive_haptics/control/cycle_inputs.hpp>
@@ -16,29 +15,27 @@
 
 namespace passive_haptics {
 
-/// The status of a cycle in which no wall demands a force: ok in free space, else what is wrong with the
-/// position or a contact.
+/// Status of a cycle without a demanded force: ok in free space, or the fault of the position or a contact.
 template <class M, int D, class Walls>
 status status_without_force(const point<D>& x, const Walls& touched) {
   if (touched.empty()) return status::ok;
   return all_finite(x) ? check_contacts<typename M::scalar>(touched) : status::pose_undefined;
 }
 
-/// Calls released() of a law that has it: this cycle commands nothing.
+/// Calls released() of the law, if it has one.
 template <class L>
 void tell_released(const L& law, double time, step_memory<L>& memory) {
   if constexpr (requires { law.released(memory.law, time); }) law.released(memory.law, time);
 }
 
-/// All brakes released: in free space, or for a fault.
+/// Releases all brakes, in free space or for a fault.
 template <class Result, class Setup, class Memory>
 Result released(const Setup& setup, double time, status outcome, Memory& memory) {
   passive_haptics::tell_released(setup.law, time, memory);
   return released<Result>(outcome);
 }
 
-/// ok, or why these numbers are no command. All that went into a cycle has left its NaN in one of them.
-/// is_share: whether the law's scale is in [0, 1].
+/// ok, or the fault; a NaN of any input appears in the command. is_share: the law's scale is in [0, 1].
 template <class T, class Contacts, class Outward, class... Numbers>
 status check_command(const Contacts& touched, const Outward& outward, bool is_share,
                      const Numbers&... command) {
@@ -52,7 +49,7 @@ status check_command(const Contacts& touched, const Outward& outward, bool is_sh
 template <class M>
 struct display_steps {
   using T = typename M::scalar;              ///< Scalar.
-  using force = typename form_of<M>::force;  ///< With the torques that make it.
+  using force = typename form_of<M>::force;  ///< Force with its torques.
 
   force Fc = {};                                                              ///< 1: before alpha and limits.
   T alpha = T(1);                                                             ///< 2
@@ -60,8 +57,7 @@ struct display_steps {
   saturated_torque<T, M::brake_count> td = {brake_vector<M>::Zero(), false};  ///< 4
 };
 
-/// The result of these steps for Fd, which wall `wall` demands. t: what the mechanism will feel [N m]. What
-/// Result has no member for is not computed.
+/// Result of these steps for Fd of a wall. t: predicted torque [N m]. Only members of Result are computed.
 template <class Result, class M, class Device, class Walls, class T, int D>
 PASSIVE_HAPTICS_PART Result result_of(const Device& device, const Walls& touched, int wall,
                                       const desired_force<T, D>& Fd, const display_steps<M>& steps,
@@ -98,12 +94,11 @@ PASSIVE_HAPTICS_PART Result result_of(const Device& device, const Walls& touched
   return result;
 }
 
-/// A result with a report of each touched wall.
+/// A result with a report for each touched wall.
 template <class Result>
 concept HasReports = requires(Result result) { result.contact_count; };
 
-/// Reports the walls that demand a force. F [N]: of the commanded torques; wanted(j): the report of wall j
-/// without its number and displayed force.
+/// Reports the walls that demand a force. F [N]: of the commanded torques; wanted(j): demand of wall j.
 template <HasReports Result, class Walls, class T, int D, class Wanted>
 void report_contacts(Result& result, const Walls& touched, const vector<T, D>& F, const Wanted& wanted) {
   for (int j = 0; j < touched.size(); ++j) {

@@ -1,5 +1,4 @@
-/// @file
-/// What a device measures, once a control cycle.
+/// Measured state of a device, the input of a control cycle.
 #pragma once
 
 #include <passive_haptics/mechanism/mechanism.hpp>
@@ -14,25 +13,25 @@ namespace passive_haptics {
 template <class M>
 struct device_state {
   static_assert(is_mechanism<M, explain>());
-  /// [s], any origin, of a clock that does not jump. NaN until it is set, which a cycle refuses.
+  /// [s], any origin, of a monotonic clock. NaN until it is set, which a cycle rejects.
   double time = std::numeric_limits<double>::quiet_NaN();
   joint_vector<M> q = joint_vector<M>::Zero();         ///< Joint positions [rad or m].
   joint_vector<M> qd = joint_vector<M>::Zero();        ///< Joint rates [rad/s or m/s].
-  task_vector<M> hand_force = task_vector<M>::Zero();  ///< What the hand does to the handle [N], base frame.
+  task_vector<M> hand_force = task_vector<M>::Zero();  ///< Force of the hand on the handle [N], base frame.
 };
 
-/// State of a device without a force sensor. Which way a brake at rest is pushed is then unknown.
+/// State of a device without a force sensor. The direction of a push on a brake at rest is then unknown.
 template <class M>
 struct sensorless_device_state {
   static_assert(is_mechanism<M, explain>());
-  /// [s], any origin, of a clock that does not jump. NaN until it is set, which a cycle refuses.
+  /// [s], any origin, of a monotonic clock. NaN until it is set, which a cycle rejects.
   double time = std::numeric_limits<double>::quiet_NaN();
   joint_vector<M> q = joint_vector<M>::Zero();   ///< Joint positions [rad or m].
   joint_vector<M> qd = joint_vector<M>::Zero();  ///< Joint rates [rad/s or m/s].
 };
 
 namespace detail {
-// Seconds: a floating-point number, not a whole number of milliseconds or nanoseconds.
+// Floating-point seconds, not integer milliseconds or nanoseconds.
 template <class S>
 concept has_time_in_seconds =
     requires(const S state) { requires std::floating_point<std::remove_cvref_t<decltype(state.time)>>; };
@@ -43,7 +42,7 @@ concept has_motion = requires(const S state) {
 };
 }  // namespace detail
 
-/// The requirements of DeviceState, one message for each: `static_assert(is_device_state<S, M, explain>())`.
+/// Requirements of DeviceState, with one message each: `static_assert(is_device_state<S, M, explain>())`.
 template <class S, class M, bool Explain = false>
 consteval bool is_device_state() {
   if constexpr (!Mechanism<M>) return is_mechanism<M, Explain>();
@@ -59,19 +58,17 @@ consteval bool is_device_state() {
   return Explain;
 }
 
-/// A state of mechanism M: anything with the members time [s], of a floating-point type, and q and qd of
-/// exactly these types.
+/// A state of mechanism M: any type with a floating-point time [s], and q and qd of exactly these types.
 template <class S, class M>
 concept DeviceState = is_device_state<S, M>();
 
-/// A state that also has the hand force.
+/// A state with a hand force.
 template <class S, class M>
 concept HandForceState = DeviceState<S, M> && requires(const S state) {
   { state.hand_force } -> ExactVector<typename M::scalar, M::task_dimension>;
 };
 
-/// A state that also has the torques th on brakes at rest [N m], of torques_at_rest or of a sensor at each
-/// brake. Without them a cycle takes th = E^T Fh.
+/// A state with torques th on brakes at rest [N m], from torques_at_rest or sensors. Otherwise th = E^T Fh.
 template <class S, class M>
 concept HandTorqueState = DeviceState<S, M> && requires(const S state) {
   { state.hand_torque } -> ExactVector<typename M::scalar, M::brake_count>;

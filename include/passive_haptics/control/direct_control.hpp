@@ -1,5 +1,4 @@
-/// @file
-/// The paper's two ways to control: with and without direct control (section 4).
+/// The paper's laws: with and without direct control (section 4).
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>
@@ -8,7 +7,7 @@
 
 namespace passive_haptics {
 
-/// The approximated force as it is, alpha = 1: what makes the hand bounce off a wall (section 3).
+/// Displays the whole approximated force, alpha = 1; the hand then bounces off walls (section 3).
 struct no_direct_control {
   /// alpha = 1.
   template <class T, int D>
@@ -17,16 +16,15 @@ struct no_direct_control {
   }
 };
 
-/// Direct control: where the handle moves outward, the brakes are scaled so that nothing of the resultant
-/// force is left normal to the wall. The resultant is
+/// Direct control: while the handle moves outward, the resultant force has no normal component. It is
 ///
 ///     Fr = Frn + Frt = Fh + alpha Fc,
 /// @equation{7}
-/// and its normal component has the size
+/// and its normal component has the magnitude
 ///
 ///     |Frn| = |Fr| cos(lambda),
 /// @equation{8}
-/// where lambda is the angle between Fr and Fd, so
+/// with the angle lambda between Fr and Fd,
 ///
 ///     cos(lambda) = Fr . Fd / (|Fr| |Fd|).
 /// @equation{9}
@@ -34,24 +32,22 @@ struct no_direct_control {
 ///
 ///     |Frn| = |Fh + alpha Fc| (Fh + alpha Fc) . Fd / (|Fr| |Fd|),
 /// @equation{10}
-/// which vanishes where
+/// which is zero if
 ///
 ///     (Fh + alpha Fc) . Fd = 0.
 /// @equation{11}
 ///
-/// After the approximation Fc . Fd = |Fd|^2. So with n = Fd / |Fd| alpha = -Fh . n / |Fd|, and nothing small
-/// is divided by. It is limited to [0, 1]: a hand that pulls away needs no force, and a brake gives no more
-/// than what is desired.
+/// After the approximation Fc . Fd = |Fd|^2, so alpha = -Fh . n / |Fd| with n = Fd / |Fd|, without division
+/// by small numbers. It is limited to [0, 1]: no force if the hand pulls away, and at most the desired force.
 ///
-/// With a dead band the normal force is nulled before the handle moves out, which holds off part of the
-/// brakes' lag. The handle then sinks at up to v_dead. Of several contacts those being left come first.
+/// A dead band removes the normal force before the handle moves out, which compensates part of the brake lag.
+/// The handle then sinks at up to v_dead. With several contacts, those being left have priority.
 struct direct_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
-  static constexpr bool nulls_normal_force = true;  ///< Leaves nothing normal where the handle moves out.
+  static constexpr bool nulls_normal_force = true;  ///< Removes the normal force while the handle moves out.
 
-  double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is the law as printed.
+  double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 as in the paper.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = direct_control;
     return member_table(member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::not_negative));

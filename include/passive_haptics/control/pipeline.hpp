@@ -1,6 +1,4 @@
-/// @file
-/// The pipelines of section 4: the one of a cycle, chosen by its law and walls, and the header that defines
-/// it.
+/// Selection of the pipeline of section 4 for a cycle, by its law and walls.
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>
@@ -9,20 +7,20 @@
 
 namespace passive_haptics {
 
-/// Section 4 as the paper has it, for one wall: control/pipelines/one_wall.hpp.
+/// One wall, as in the paper: control/pipelines/one_wall.hpp.
 template <class Result, class Setup, class Walls>
 struct one_wall;
-/// For several walls at once: control/pipelines/several_walls.hpp.
+/// Several walls: control/pipelines/several_walls.hpp.
 template <class Result, class Setup, class Walls>
 struct several_walls;
-/// A TorqueLaw commands the brakes: control/pipelines/torque_law.hpp.
+/// A TorqueLaw: control/pipelines/torque_law.hpp.
 template <class Result, class Setup, class Walls>
 struct torques_of_law;
-/// Effects beside walls: control/pipelines/beside_effects.hpp.
+/// Effects in addition to walls: control/pipelines/beside_effects.hpp.
 template <class Result, class Setup, class Walls>
 struct beside_effects;
 
-/// Walls with effects beside them (with_effects).
+/// Walls with effects (with_effects).
 template <class Walls>
 concept HasEffects = requires { requires Walls::has_effects; };
 
@@ -37,15 +35,15 @@ auto chosen_pipeline() {
 }
 }  // namespace detail
 
-/// The pipeline of a cycle. Result: what it returns; Setup: a cycle_setup; Walls: what is touched. The list
-/// is closed: a law, a scene, an effect, a mechanism or brakes of a user's own go through one of these.
+/// The pipeline of a cycle. Result: its return type; Setup: a cycle_setup; Walls: the contacts. The list is
+/// closed: custom laws, scenes, effects, mechanisms and brakes use one of these.
 ///
-/// Each is a struct that has all steps of section 4:
-///   - `pipeline{setup, touched}`: the walls, of which each demands an Fd;
-///   - `bool demands_force() const`: false where the brakes are released;
-///   - `steps command(now, memory) const`: from Fd to td, where `steps.td.torque` is what the brakes get;
-///   - `Result result(now, steps, t, memory) const`: the result, with t the torques that the mechanism will
-///     feel.
+/// Each is a struct with all steps of section 4:
+///   - `pipeline{setup, touched}`: the walls, each with a demand Fd;
+///   - `bool demands_force() const`: if false, the brakes are released;
+///   - `steps command(now, memory) const`: from Fd to td; `steps.td.torque` is the brake command;
+///   - `Result result(now, steps, t, memory) const`: the result, with the predicted torques t on the
+///     mechanism.
 template <class Result, class Setup, class Walls>
 using pipeline_of = typename decltype(detail::chosen_pipeline<Result, Setup, Walls>())::type;
 

@@ -1,5 +1,4 @@
-/// @file
-/// A check of time for what uses time differences: each cycle must be later than the one before.
+/// Check that time increases from cycle to cycle.
 #pragma once
 
 #include <passive_haptics/core/status.hpp>
@@ -8,11 +7,10 @@
 
 namespace passive_haptics {
 
-/// The time of the last cycle [s], of a law or an observer that uses time differences.
+/// Time of the last cycle [s], for a law or an observer that uses time differences.
 class rising_time {
  public:
-  /// ok, or status::time_not_rising unless this cycle's time [s] is later than that of the last one. The next
-  /// cycle is compared with this one in any case, so a clock that is set back costs one cycle.
+  /// Stores the time [s] and returns ok if it is later than the last one, else status::time_not_rising.
   status next(double time) noexcept {
     const bool rises = time > last_;
     last_ = time;

@@ -1,4 +1,3 @@
-/// @file
 /// Torque limits.
 #pragma once
 
@@ -7,27 +6,26 @@
 
 namespace passive_haptics {
 
-/// What gives way where a brake cannot follow.
+/// Handling of torques that exceed a limit.
 enum class saturation {
-  keep_direction,  ///< All brakes are scaled by one factor: the force keeps its direction.
-  clamp_each,      ///< Each brake gives what it can: more force, in another direction.
+  keep_direction,  ///< Scales all brakes by one factor, so that the force keeps its direction.
+  clamp_each,      ///< Limits each brake separately: a larger force in another direction.
 };
 
 /// Torques within their limits.
 template <class T, int Brakes>
 struct saturated_torque {
   vector<T, Brakes> torque;  ///< [N m], |t_i| <= limit_i exactly.
-  bool limited;              ///< True if some torque was over its limit.
+  bool limited;              ///< True if a torque exceeded its limit.
 };
 
-/// a t, of the same brakes: a in [0, 1].
+/// Scales the torques by a in [0, 1].
 template <class T, int Brakes>
 saturated_torque<T, Brakes> operator*(T a, const saturated_torque<T, Brakes>& t) {
   return {a * t.torque, t.limited};
 }
 
-/// Torques t [N m], finite, within limits [N m] >= 0. It may stand before or after a law's alpha: cut to what
-/// the brakes can make and then scaled, or scaled and then cut.
+/// Limits finite torques t [N m] to limits [N m] >= 0. Applied before or after the alpha of a law.
 template <class T, int Brakes>
 saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<T, Brakes>& limit,
                                      saturation policy) {
@@ -38,7 +36,7 @@ saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<T,
   return {max(min(within, bound), -bound), any(is_over)};
 }
 
-/// Torques t [N m] within the limits and the intervals of the brakes, where they have some.
+/// Limits torques t [N m] to the limits and intervals of the brakes, if they have any.
 template <class B, class T, int Brakes>
 saturated_torque<T, Brakes> within_limits(const vector<T, Brakes>& t, const B& brakes, saturation policy) {
   if constexpr (SwitchableBrakes<B, T, Brakes>)
@@ -47,7 +45,7 @@ saturated_torque<T, Brakes> within_limits(const vector<T, Brakes>& t, const B& b
   else return {t, false};
 }
 
-/// Whether some torque t [N m] is at a limit of its brake. A brake that is off is at none.
+/// True if a torque t [N m] is at a limit of its brake. A brake that is off is never at a limit.
 template <class B, class T, int Brakes>
 bool any_at_limit(const vector<T, Brakes>& t, const B& brakes) {
   if constexpr (SwitchableBrakes<B, T, Brakes>) {

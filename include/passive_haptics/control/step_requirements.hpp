@@ -1,4 +1,3 @@
-/// @file
 /// Requirements of the types of a control cycle.
 #pragma once
 
@@ -14,10 +13,8 @@ namespace detail {
 template <class S>
 concept gives_contacts = requires { typename S::contacts_type; };
 
-// In place of an argument that was not given.
 struct nothing_given {};
 
-// The requirements of the order of a controller's arguments, one message for each.
 template <class M, class B, class S, class L, bool Explain = false>
 consteval bool are_in_order() {
   if constexpr (!names_sizes<M> && (names_torque_limit<M> || is_unlimited<M> || gives_contacts<M>))
@@ -49,7 +46,6 @@ consteval bool are_in_order() {
   return Explain;
 }
 
-// The requirements of a mechanism and brakes under a law, one message for each.
 template <class M, class L, class B, bool Explain = false>
 consteval bool is_law_for() {
   if constexpr (!Mechanism<M>) return is_mechanism<M, Explain>();
@@ -70,7 +66,6 @@ consteval bool is_law_for() {
   return Explain;
 }
 
-// The requirements of contacts.
 template <class Contacts, class M, bool Explain = false>
 consteval bool are_contacts_for() {
   if constexpr (Contacts::dimension != M::task_dimension)
@@ -79,7 +74,6 @@ consteval bool are_contacts_for() {
   return Explain;
 }
 
-// The requirements of a controller, one message for each.
 template <class M, class B, class S, class L, bool Explain = false>
 consteval bool is_controller() {
   if constexpr (!are_in_order<M, B, S, L>()) return are_in_order<M, B, S, L, Explain>();
@@ -94,7 +88,6 @@ consteval bool is_controller() {
   return Explain;
 }
 
-// The requirements of a step, one message for each.
 template <class M, class Contacts, class L, class State, class B, bool Explain = false>
 consteval bool is_step() {
   if constexpr (!is_law_for<M, L, B>()) return is_law_for<M, L, B, Explain>();

@@ -1,5 +1,4 @@
-/// @file
-/// What the library requires of floating-point arithmetic, its named tolerances, signs and choices.
+/// Floating-point requirements, named tolerances, signs and selections.
 #pragma once
 
 #include <cfloat>
@@ -8,16 +7,16 @@
 #include <numbers>
 #include <type_traits>
 
-// With -ffinite-math-only the tests for NaN are compiled away and sign regions come out wrong.
+// -ffinite-math-only removes the tests for NaN and gives wrong sign regions.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
 #error "passive_haptics needs IEEE arithmetic: compile this file without -ffast-math / -ffinite-math-only."
 #endif
-// These round in another way than the tolerances allow. docs/numerics.md lists flags that no header can see.
+// These flags exceed the tolerances. docs/numerics.md lists flags that a header cannot detect.
 #if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "passive_haptics needs IEEE arithmetic: compile without -fassociative-math / -freciprocal-math."
 #endif
 
-// x87 rounds to no type's own precision: what adds 1.5 * 2^52 to round to an integer gets another number.
+// x87 keeps excess precision, so adding 1.5 * 2^52 does not round to an integer.
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #error "passive_haptics needs float and double as they are: on 32-bit x86 compile with -msse2 -mfpmath=sse."
 #endif
@@ -25,7 +24,7 @@
 namespace passive_haptics {
 
 namespace detail {
-/// std::bit_cast, which libc++ 13 (Emscripten 3.1) and older do not have.
+/// std::bit_cast is missing from libc++ 13 (Emscripten 3.1) and older.
 template <class To, class From>
 constexpr To bit_cast(const From& x) noexcept {
   static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To>);
@@ -33,35 +32,31 @@ constexpr To bit_cast(const From& x) noexcept {
 }
 }  // namespace detail
 
-/// Rounding of a sum of n products, relative to the norms of its data: 4 n eps. Smaller values cannot be
-/// distinguished from zero.
+/// Rounding error of a sum of n products, relative to the norms of its data: 4 n eps.
 template <class T>
 constexpr T rounding_tolerance(int n) {
   return static_cast<T>(4 * n) * std::numeric_limits<T>::epsilon();
 }
 
-/// Radians of an angle given in degrees. Where a macro has this name, as Arduino's has, write
-/// `(radians)(angle)`.
+/// Converts degrees to radians. If a macro has the same name, as on Arduino, write `(radians)(angle)`.
 template <class T>
 constexpr T(radians)(T degrees) {
   return degrees * (std::numbers::pi_v<T> / T(180));
 }
 
-/// Degrees of an angle given in radians. Where a macro has this name, as Arduino's has, write
-/// `(degrees)(angle)`.
+/// Converts radians to degrees. If a macro has the same name, as on Arduino, write `(degrees)(angle)`.
 template <class T>
 constexpr T(degrees)(T radians) {
   return radians * (T(180) / std::numbers::pi_v<T>);
 }
 
-/// Sign of x: -1, 0 or 1. Of NaN it is 0.
+/// Sign of x: -1, 0 or 1; 0 for NaN.
 template <class T>
 constexpr T sgn(T x) {
   return static_cast<T>((x > T(0)) - (x < T(0)));
 }
 
-/// Branch-free `where ? a : b` of a number or enumerator; the asm keeps clang++ from turning it back into a
-/// branch.
+/// Returns `where ? a : b` for numbers or enumerators without a branch, also with clang++.
 template <class X>
   requires(std::is_arithmetic_v<X> || std::is_enum_v<X>)
 X select(bool where, X a, X b) {

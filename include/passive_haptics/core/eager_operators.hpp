@@ -1,10 +1,8 @@
-/// @file
-/// Sums and products of small matrices, evaluated at once.
+/// Sums and products of small matrices, evaluated immediately.
 ///
-/// Eigen's operators return expressions, each of a type of its own, which costs a compiler some milliseconds,
-/// and a nested one as many again. At sizes like these a value takes a control cycle no more instructions,
-/// and all functions share its type. Inside the library these operators are preferred where both sides are
-/// matrices; elsewhere Eigen's are found. Where one pass over the numbers counts, x.array() is an expression.
+/// Eigen's operators return expressions with a type each, which are slow to compile. At these sizes, plain
+/// values cost the same number of instructions. In the library, these operators are preferred if both
+/// operands are matrices; otherwise Eigen's are used. Write x.array() for an expression in a single pass.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +12,6 @@
 namespace passive_haptics {
 
 namespace detail {
-// A number that scales matrices of T; others are left to Eigen.
 template <class X, class T>
 concept scales = std::same_as<X, T> || std::integral<X>;
 }  // namespace detail

@@ -1,5 +1,4 @@
-/// @file
-/// What is wrong with what a user wrote.
+/// Error texts for invalid arguments.
 #pragma once
 
 #include <cstdio>
@@ -10,38 +9,34 @@
 
 namespace passive_haptics {
 
-// Without exceptions and an operating system nobody could read a text, and it would bring a heap with it
+// Without exceptions and an operating system, no one could read a text, and it would pull in a heap.
 #if defined(__cpp_exceptions) || defined(__unix__) || defined(__APPLE__) || defined(_WIN32) || \
     defined(__EMSCRIPTEN__)
-inline constexpr bool errors_have_text = true;  ///< Whether an error_message is a std::string.
+inline constexpr bool errors_have_text = true;  ///< True if error_message is std::string.
 #else
-inline constexpr bool errors_have_text = false;  ///< Whether an error_message is a std::string.
+inline constexpr bool errors_have_text = false;  ///< True if error_message is std::string.
 #endif
 
-/// Whether something is wrong, and for a debugger the name of the wrong member: an error without a heap.
+/// An error without heap memory. Stores only the name of the invalid member, for a debugger.
 class textless_error {
  public:
   textless_error() = default;
-  /// A literal.
-  textless_error(const char* name) : name_(name) {}
-  /// Of a text only whether there is one.
+  textless_error(const char* name) : name_(name) {}  ///< Stores a string literal.
+  /// Stores only whether the text is empty.
   textless_error(const std::string& text) : name_(text.empty() ? "" : "a parameter") {}
-  /// Nothing is wrong.
-  bool empty() const { return *name_ == '\0'; }
-  /// The name.
-  operator std::string() const { return name_; }
+  bool empty() const { return *name_ == '\0'; }   ///< True if there is no error.
+  operator std::string() const { return name_; }  ///< The stored name.
 
  private:
   const char* name_ = "";
 };
 
-/// What is wrong, empty if nothing: a std::string, but where a microcontroller has no exceptions.
+/// Error text, empty if there is none: std::string, or textless_error on microcontrollers.
 using error_message = std::conditional_t<errors_have_text, std::string, textless_error>;
 
 namespace detail {
 
-/// The error whose text this function returns; where errors have no text, the name alone, and no code of the
-/// function.
+/// The error with the text that the function returns, or only the name if errors have no text.
 template <class Name, class Text>
 error_message error_of(const Name& name, const Text& text) {
   if constexpr (errors_have_text) return text();
@@ -50,8 +45,8 @@ error_message error_of(const Name& name, const Text& text) {
 
 }  // namespace detail
 
-/// Throws std::invalid_argument with this error unless it is empty; under -fno-exceptions prints it and ends
-/// the program, on a microcontroller by a trap. For constructors, never for a control cycle.
+/// Throws std::invalid_argument unless the error is empty. Under -fno-exceptions prints the error and aborts,
+/// or traps on a microcontroller. For constructors, not for a control cycle.
 inline void require_no_error(const error_message& error) {
   if (error.empty()) return;
 #if defined(__cpp_exceptions)

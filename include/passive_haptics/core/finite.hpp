@@ -1,5 +1,4 @@
-/// @file
-/// Whether NaN or infinity stands among numbers: 0 times any other number is 0.
+/// Test for NaN and infinity in scalars and matrices.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -11,7 +10,7 @@ namespace passive_haptics {
 
 namespace detail {
 
-// 0, and NaN once it was multiplied with NaN or infinity: one multiplication a number.
+// 0, or NaN after a multiplication by NaN or infinity: one multiplication per number.
 template <class T>
 struct zero {
   T value = T(0);
@@ -24,7 +23,7 @@ template <class T, class X, int R, int C>
 auto operator*(zero<T> so_far, const matrix<X, R, C>& x) {
   zero<decltype(so_far.value * X())> all{so_far.value};
   unrolled<C>([&](auto j) {
-    zero<X> column;  // each its own chain: no multiplication waits for more than a column
+    zero<X> column;  // one chain per column, so that columns do not wait for each other
     unrolled<R>([&](auto i) { column = column * x(i, j); });
     all = all * column.value;
   });
@@ -41,7 +40,6 @@ auto operator*(zero<T> so_far, const diagonal_matrix<X, N>& x) {
   return so_far * vector<X, N>(x.diagonal());
 }
 
-// That of the first argument.
 template <class X>
 struct scalar_of {
   using type = typename X::Scalar;
@@ -53,7 +51,7 @@ struct scalar_of<X> {
 
 }  // namespace detail
 
-/// True if all these numbers, vectors and matrices are finite.
+/// True if all arguments (numbers, vectors, matrices) are finite.
 template <class First, class... Rest>
 bool all_finite(const First& first, const Rest&... rest) {
   const detail::zero<typename detail::scalar_of<First>::type> nothing;

@@ -1,34 +1,30 @@
-/// @file
-/// All of a control cycle as one function: what it calls is inlined, loops over compile-time sizes are
-/// unrolled.
+/// Inlining of a whole control cycle into one function, and unrolled loops over compile-time sizes.
 #pragma once
 
 #include <utility>
 
-/// Before a function: what it calls is inlined into it, whatever its size. Only where assertions are off: in
-/// a debug build it would triple the compiler's time for nothing. A program that defines it as nothing
-/// compiles in two thirds of the time.
+/// Inlines all calls of the function that it precedes. Only in builds without assertions: in a debug build it
+/// would triple the compile time. Define it as empty to compile in two thirds of the time.
 #if !defined(PASSIVE_HAPTICS_FLATTEN) && defined(NDEBUG) && defined(__GNUC__)
 #define PASSIVE_HAPTICS_FLATTEN [[gnu::flatten]]
 #if defined(__clang__)
-/// Before the parts of such a function: clang++ flattens one level only.
+/// Precedes the parts of a flattened function, because clang++ flattens only one level.
 #define PASSIVE_HAPTICS_PART [[gnu::always_inline]] inline
 #endif
 #elif !defined(PASSIVE_HAPTICS_FLATTEN)
 #define PASSIVE_HAPTICS_FLATTEN
 #endif
 #if !defined(PASSIVE_HAPTICS_PART)
-/// Before the parts of such a function: clang++ flattens one level only.
+/// Precedes the parts of a flattened function, because clang++ flattens only one level.
 #define PASSIVE_HAPTICS_PART
 #endif
 
-/// Before the body of a lambda: it is inlined as well.
+/// Precedes the body of a lambda that must be inlined.
 #define PASSIVE_HAPTICS_INLINE __attribute__((always_inline))
 
 namespace passive_haptics {
 
-/// f(0), f(1), ..., f(N - 1), for small N. Compilers leave such loops rolled at -O2, which costs a third of a
-/// control cycle.
+/// Calls f(0), ..., f(N - 1). Loops that are not unrolled, as at -O2, take a third of a control cycle.
 template <int N, class F>
 [[gnu::always_inline]] constexpr void unrolled(F&& f) {
   [&]<int... Index>(std::integer_sequence<int, Index...>)

@@ -1,8 +1,5 @@
-/// @file
-/// Fixed-size vectors and matrices, and concepts that check their shape exactly.
-///
-/// Eigen converts any fixed-size expression to any other in an unevaluated context, so
-/// std::convertible_to checks nothing; these concepts compare scalar, rows and columns.
+/// Fixed-size vectors and matrices, and concepts that compare their scalar, rows and columns exactly
+/// (std::convertible_to accepts any fixed-size Eigen expression in unevaluated contexts).
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
@@ -23,7 +20,7 @@
 
 namespace passive_haptics {
 
-/// Column of N scalars.
+/// Column vector of N scalars.
 template <class T, int N>
 using vector = Eigen::Matrix<T, N, 1>;
 
@@ -35,20 +32,19 @@ using matrix = Eigen::Matrix<T, R, C>;
 template <class T, int N>
 using diagonal_matrix = Eigen::DiagonalMatrix<T, N>;
 
-/// An R x C matrix of T in Eigen's default storage. A value, no expression: that could refer to temporaries
-/// which are gone.
+/// An R x C matrix of T in Eigen's default storage; not an expression, which could refer to temporaries.
 template <class X, class T, int R, int C>
 concept ExactMatrix = std::same_as<std::remove_cvref_t<X>, matrix<T, R, C>>;
 
-/// A column of exactly N scalars T.
+/// A column vector of exactly N scalars T.
 template <class X, class T, int N>
 concept ExactVector = ExactMatrix<X, T, N, 1>;
 
-/// An N x N Eigen::DiagonalMatrix of T.
+/// An N x N diagonal matrix of T.
 template <class X, class T, int N>
 concept ExactDiagonal = std::same_as<std::remove_cvref_t<X>, diagonal_matrix<T, N>>;
 
-/// A^T as a value. (Made from A.transpose() it has g++ 12 warn of uninitialised memory inside Eigen.)
+/// Returns A^T. (A.transpose() makes g++ 12 warn of uninitialised memory inside Eigen.)
 template <class T, int R, int C>
 matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
   matrix<T, C, R> At;
@@ -56,13 +52,13 @@ matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
   return At;
 }
 
-/// Column j of A as a value.
+/// Returns column j of A.
 template <class T, int R, int C>
 vector<T, R> column(const matrix<T, R, C>& A, int j) {
   return A.col(j);
 }
 
-/// Row i of A as a value, upright.
+/// Returns row i of A as a column vector.
 template <class T, int R, int C>
 vector<T, C> row_of(const matrix<T, R, C>& A, int i) {
   vector<T, C> a;
@@ -70,19 +66,19 @@ vector<T, C> row_of(const matrix<T, R, C>& A, int i) {
   return a;
 }
 
-/// Makes x row i of A.
+/// Sets row i of A to x.
 template <class T, int R, int C>
 void set_row(matrix<T, R, C>& A, int i, const vector<T, C>& x) {
   unrolled<C>([&](auto j) { A(i, j) = x[j]; });
 }
 
-/// a_i b_i
+/// Element-wise product a_i b_i.
 template <class T, int N>
 vector<T, N> entrywise_product(const vector<T, N>& a, const vector<T, N>& b) {
   return a.cwiseProduct(b);
 }
 
-/// diag(d) A: row i times d_i.
+/// Returns diag(d) A.
 template <class T, int R, int C>
 matrix<T, R, C> scaled_rows(const vector<T, R>& d, matrix<T, R, C> A) {
   for (int i = 0; i < R; ++i) {
@@ -91,13 +87,13 @@ matrix<T, R, C> scaled_rows(const vector<T, R>& d, matrix<T, R, C> A) {
   return A;
 }
 
-/// |a_ij|
+/// Element-wise absolute values.
 template <class T, int R, int C>
 matrix<T, R, C> absolute(const matrix<T, R, C>& A) {
   return A.cwiseAbs();
 }
 
-/// A with rows of zeros under it, `Rows` rows in all.
+/// Appends rows of zeros to A, for `Rows` rows in total.
 template <int Rows, class T, int R, int C>
 matrix<T, Rows, C> padded(const matrix<T, R, C>& A) {
   static_assert(R <= Rows);
@@ -106,7 +102,7 @@ matrix<T, Rows, C> padded(const matrix<T, R, C>& A) {
   return tall;
 }
 
-/// x, each entry converted to To.
+/// Converts each entry to To.
 template <class To, class T, int N>
 vector<To, N> as(const vector<T, N>& x) {
   vector<To, N> y;
@@ -114,8 +110,7 @@ vector<To, N> as(const vector<T, N>& x) {
   return y;
 }
 
-/// |x|, also where its square overflows or is denormal; not finite where a number of x is not. (Eigen's
-/// stableNorm takes the compiler as long as a law.)
+/// |x| without overflow or underflow of its square. (Eigen's stableNorm is slow to compile.)
 template <class T, int N>
 T length_of(const vector<T, N>& x) {
   using std::abs, std::sqrt;
@@ -131,8 +126,7 @@ T length_of(const vector<T, N>& x) {
   return largest * sqrt(scaled.squaredNorm());
 }
 
-/// x / |x| of a finite x of any length but 0, also where its square or its length overflows or is denormal; 0
-/// of 0.
+/// x / |x| for a finite x, without overflow or underflow of its square; 0 for x = 0.
 template <class T, int N>
 vector<T, N> direction_of(const vector<T, N>& x) {
   using std::abs, std::sqrt;
@@ -143,34 +137,32 @@ vector<T, N> direction_of(const vector<T, N>& x) {
   return scaled / sqrt(scaled.squaredNorm());
 }
 
-/// Length of |A| |x|, of what adds up to A x: the rounding of A x is some eps times this, however short A x
-/// is.
+/// Returns ||A| |x||, the magnitude of the terms of A x: the rounding error of A x is a few eps times this.
 template <class T, int Rows, int Columns>
 T size_of_terms(const matrix<T, Rows, Columns>& A, const vector<T, Columns>& x) {
   return vector<T, Rows>(absolute(A) * absolute(x)).norm();
 }
 
-/// a x b, a number.
+/// Returns the scalar a x b.
 template <class T>
 T cross_in_plane(const vector<T, 2>& a, const vector<T, 2>& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// a x b. (Eigen's cross needs a complex conjugate of its scalar, which not every scalar has.)
+/// Returns a x b. (Eigen's cross requires a complex conjugate, which not every scalar has.)
 template <class T>
 vector<T, 3> cross(const vector<T, 3>& a, const vector<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// det A of 2 x 2 or 3 x 3. (Eigen's is in <Eigen/LU>.)
+/// Determinant of a 2 x 2 or 3 x 3 matrix. (Eigen's is in <Eigen/LU>.)
 template <class T, int N>
 T determinant(const matrix<T, N, N>& A) {
   if constexpr (N == 2) return cross_in_plane<T>(A.col(0), A.col(1));
   else return A.col(0).dot(cross<T>(A.col(1), A.col(2)));
 }
 
-/// The matrix of these entries, row by row. (Eigen's constructor from nested lists costs 70 instructions for
-/// 2 x 2.)
+/// Matrix of these entries, row by row. (Eigen's nested-list constructor costs 70 instructions for 2 x 2.)
 template <int R, int C, class T, class... Rest>
 matrix<T, R, C> matrix_of(T first, Rest... rest) {
   static_assert(1 + sizeof...(Rest) == static_cast<std::size_t>(R * C));
@@ -185,7 +177,7 @@ matrix<T, R, C> matrix_of(T first, Rest... rest) {
   return A;
 }
 
-/// The N x N identity as a value.
+/// The N x N identity.
 template <class T, int N>
 matrix<T, N, N> identity_matrix() {
   return matrix<T, N, N>::Identity();

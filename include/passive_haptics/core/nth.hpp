@@ -1,5 +1,4 @@
-/// @file
-/// An element of an array by a number that may be signed.
+/// Array access by signed or unsigned indices.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +16,8 @@ struct nth_element {
 
 }  // namespace detail
 
-/// nth(array, i) is array[i] of a std::array, std::vector, std::span or C array, i >= 0 of any integer type,
-/// and checks no more. An object, so that argument-dependent lookup finds no function of the same name.
+/// nth(array, i) returns array[i] of a std::array, std::vector, std::span or C array, for i >= 0 of any
+/// integer type, unchecked. It is an object so that argument-dependent lookup finds no other function.
 inline constexpr detail::nth_element nth;
 
 }  // namespace passive_haptics

@@ -1,5 +1,4 @@
-/// @file
-/// Parameters in words: all values, remarks on unusual ones, and those that no device has.
+/// Text of parameters, remarks on unusual values, and detection of implausible ones.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -13,7 +12,7 @@
 
 namespace passive_haptics {
 
-/// The names of an enumeration's values, in their order; empty for other members.
+/// Names of an enumeration's values in order; empty for other members.
 inline std::vector<std::string_view> choices_of(const member_description& member) {
   constexpr std::string_view comma = ", ";
   std::vector<std::string_view> all;
@@ -25,7 +24,7 @@ inline std::vector<std::string_view> choices_of(const member_description& member
   return all;
 }
 
-/// Where a value in this unit usually lies with a device on a desk, and what the writer else may have meant.
+/// Usual range of values in this unit for a desktop device, with the likely mistake.
 constexpr range usual_range(std::string_view unit) {
   constexpr double farthest = 5, two_turns = 4 * std::numbers::pi;  // [m], [rad]
   if (unit == "m") return range::between(-farthest, farthest).as("within 5 m: millimetres?");
@@ -34,9 +33,8 @@ constexpr range usual_range(std::string_view unit) {
   return range::anything;
 }
 
-/// Magnitudes of a member that a device can have, from its table; where the table has no bound, from its
-/// unit. A member that may be negative has no lower bound by its unit: a component of a vector may be any
-/// rounding of 0.
+/// Plausible magnitudes of a member, from its table, or from its unit if the table has no bound. Units give
+/// no lower bound for members that may be negative, such as vector components near 0.
 constexpr range plausible_magnitude(const member_description& member) {
   struct magnitudes {
     std::string_view unit;
@@ -61,7 +59,7 @@ constexpr range plausible_magnitude(const member_description& member) {
 
 namespace detail {
 
-// "; in radians it is 1.5708" of an angle that looks like degrees, else nothing.
+// "; this looks like degrees: in radians it is 1.5708" for angles, else empty.
 template <class T>
 std::string in_radians(const member_description& about, T x) {
   if (std::string_view(about.unit) != "rad") return "";
@@ -69,7 +67,7 @@ std::string in_radians(const member_description& about, T x) {
                  static_cast<double>(x) * (std::numbers::pi / 180), "");
 }
 
-// A line about an unusual value; 0 is right or wrong in every unit.
+// A line about an unusual value. A value of 0 gets none because it is the same in every unit.
 template <class T>
 std::string remark_on(std::string what, std::string_view unit, T x) {
   const range usual = usual_range(unit);
@@ -86,10 +84,10 @@ std::string text_of(const member_description& about, const T& value) {
 
 template <class F>
 struct value_visitor {
-  F value;  // (member, its name and unit, x)
+  F value;  // receives (member, name and unit, x)
 };
 
-// Calls f(member, its name and unit, x) for each single value.
+// Calls f(member, name and unit, x) for each scalar.
 template <Parameters P, class F>
 void for_each_value(const P& p, F f) {
   const auto named = [&](const member_description& about, const place& at, const auto& x) {
@@ -101,9 +99,8 @@ void for_each_value(const P& p, F f) {
 
 }  // namespace detail
 
-/// Calls f(member, text) for each value that no device has, see plausible_magnitude(), with the text
-/// "largest[0] [A] = 1e9, expected at most 1000". A value of 0 and an infinity in the member's range are
-/// none. A program may accept what its user allows by name.
+/// Calls f(member, text) for each value outside plausible_magnitude(), with a text such as "largest[0] [A] =
+/// 1e9, expected at most 1000". Skips 0 and infinities within the member's range. Users may confirm them.
 template <Parameters P, class F>
 void for_each_suspicious(const P& p, F&& f) {
   detail::for_each_value(
@@ -122,7 +119,7 @@ void for_each_suspicious(const P& p, F&& f) {
       });
 }
 
-/// A line for each value: "length_1 [m] = 0.15". Six digits of a number.
+/// One line per value, with six digits: "length_1 [m] = 0.15".
 template <Parameters P>
 std::string to_text(const P& p) {
   std::string text;
@@ -132,9 +129,9 @@ std::string to_text(const P& p) {
   return text;
 }
 
-/// A line for each number that looks as if it was meant in another unit, "length_1 [m] = 150, usually within
-/// 5 m: millimetres?", and for each 0 that switches something off, "torque_limit[1] [N m] = 0: the brake is
-/// off"; with `part` in front; empty if there is none. See usual_range(); none of these is an error.
+/// One line per value that may have been meant in another unit, "length_1 [m] = 150, usually within 5 m:
+/// millimetres?", and per 0 with an effect, "torque_limit[1] [N m] = 0: the brake is off". Each line starts
+/// with `part`. Remarks are not errors; see usual_range().
 template <Parameters P>
 std::string remarks(const P& p, const std::string& part = "") {
   std::string text;

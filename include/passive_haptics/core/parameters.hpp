@@ -1,5 +1,4 @@
-/// @file
-/// Parameters, described once: a table of each struct's members, and what follows from it.
+/// Parameter tables: each struct describes its members once, and checks, texts and files follow from it.
 #pragma once
 
 #include <passive_haptics/core/error_message.hpp>
@@ -15,40 +14,40 @@
 
 namespace passive_haptics {
 
-/// What is said about a member, whatever its type.
+/// Type-independent description of a member.
 struct member_description {
-  const char* name;          ///< As in the code.
-  const char* unit;          ///< "m", "1" for a ratio, "" where there is none.
-  range hard;                ///< Outside of it the value is an error.
-  const char* choices = "";  ///< The names of an enumeration's values, which count from 0: "left, right".
-  double min_magnitude = 0;  ///< A smaller magnitude, except 0, is a mistake unless allowed.
-  double max_magnitude = range::infinity;  ///< So is a greater one; plausible_magnitude() has both.
-  const char* at_zero = "";                ///< The effect of a value of 0, for remarks(): "the brake is off".
+  const char* name;                        ///< Name as in the code.
+  const char* unit;                        ///< "m", "1" for a ratio, "" if there is none.
+  range hard;                              ///< A value outside this range is an error.
+  const char* choices = "";                ///< Names of an enumeration's values, from 0: "left, right".
+  double min_magnitude = 0;                ///< Smaller magnitudes, except 0, are suspicious.
+  double max_magnitude = range::infinity;  ///< Greater magnitudes are suspicious; see plausible_magnitude().
+  const char* at_zero = "";                ///< Effect of a value of 0, for remarks(): "the brake is off".
 };
 
-/// A member of P. Of a vector or array the ranges hold for each element.
+/// A member of P. For a vector or array, the ranges apply to each element.
 template <class P, class V>
 struct member : member_description {
-  V P::* pointer;  ///< Where it is.
+  V P::* pointer;  ///< Pointer to the member.
 
-  /// A member by its name, unit and range. Without a range every number is valid.
+  /// Name, unit and range. Without a range every number is valid.
   constexpr member(const char* called, V P::* where, const char* in = "",
                    const range& within = range::anything)
       : member_description{called, in, within}, pointer(where) {}
 
-  /// A copy with a threshold: larger magnitudes require a confirmation of the user.
+  /// Returns a copy for which larger magnitudes require confirmation by the user.
   constexpr member suspicious_above(double magnitude) const {
     member same = *this;
     same.max_magnitude = magnitude;
     return same;
   }
-  /// A copy with a threshold: smaller magnitudes, except 0, require a confirmation of the user.
+  /// Returns a copy for which smaller magnitudes, except 0, require confirmation by the user.
   constexpr member suspicious_below(double magnitude) const {
     member same = *this;
     same.min_magnitude = magnitude;
     return same;
   }
-  /// A copy in which a value of 0 gets a remark with its effect.
+  /// Returns a copy that gets a remark with this effect if its value is 0.
   constexpr member remark_at_zero(const char* effect) const {
     member same = *this;
     same.at_zero = effect;
@@ -56,7 +55,7 @@ struct member : member_description {
   }
 };
 
-/// A member that is an enumeration: these are the names of its values.
+/// A member of enumeration type, with the names of its values.
 template <class P, class V>
 constexpr member<P, V> choice(const char* called, V P::* where, const char* among) {
   member<P, V> m(called, where);
@@ -70,7 +69,6 @@ template <std::size_t Index, class Member>
 struct listed_member {
   Member value;
 };
-// Members one after the other.
 template <class Numbers, class... Members>
 struct member_list;
 template <std::size_t... Index, class... Members>
@@ -83,24 +81,22 @@ struct member_list<std::index_sequence<Index...>, Members...> : listed_member<In
 
 }  // namespace detail
 
-/// The table of a struct of parameters, for its
+/// Returns the table of a parameter struct, for its
 ///
 ///     static constexpr auto members() { using p = ...; return member_table(member("mass", &p::mass, "kg",
 ///     ...), ...); }
 ///
 /// A member may be a number, a vector or matrix, an array, another such struct, an enumeration, a bool or a
-/// std::string. What no range can say (a direction that is read only for some values of another member, a
-/// sum) is the struct's own `error_message rules() const`: an error, or empty. It may take the members to be
-/// valid. A `static constexpr const char* type_name = "a ball"` makes errors say whose radius it is.
+/// std::string. Conditions that no range can express, such as a sum, are checked in `error_message rules()
+/// const`, which may assume that the members are valid. With `static constexpr const char* type_name = "a
+/// ball"`, errors report the type of the struct.
 template <class... Members>
 constexpr auto member_table(const Members&... members) {
-  // Not a Hana tuple: that made the umbrella header 3.1 % dearer to compile. Not a closure of the pack: g++
-  // and clang++ lay out its captures in different orders, and an object file of the one may call that of the
-  // other
+  // A Hana tuple is slower to compile; for a closure, g++ and clang++ use different layouts
   return detail::member_list<std::index_sequence_for<Members...>, Members...>{{members}...};
 }
 
-/// A struct of parameters that has a table.
+/// A parameter struct with a table `members()`.
 template <class P>
 concept Parameters = requires { P::members(); };
 
@@ -117,12 +113,12 @@ constexpr void for_each_member(P& p, F&& f) {
 
 namespace detail {
 
-// Where a value stands: "brakes[1].table[2].current of a curve".
+// Path of a value: "brakes[1].table[2].current of a curve".
 struct place {
   const place* outer = nullptr;
   const char* name = "";
   const char* type_name = "";
-  int row = -1, column = -1;  // of a vector or matrix
+  int row = -1, column = -1;  // in a vector or matrix
 
   std::string text() const {
     std::string all = outer == nullptr ? "" : outer->text();
@@ -132,7 +128,7 @@ struct place {
     if (column < 0) return indexed(all.append("["), row, "]");
     return indexed(indexed(all.append("("), row, ", "), column, ")");
   }
-  // With bars for a length, whose it is and the unit.
+  // With bars around a length, the type of its struct and the unit.
   std::string text(const char* unit, const char* bars = "") const {
     std::string all = std::string(bars).append(text()).append(bars);
     if (*type_name != '\0') all.append(" of ").append(type_name);
@@ -147,7 +143,7 @@ constexpr const char* owner_of() {
   else return "";
 }
 
-// Neither overflows nor underflows before the length does.
+// Does not overflow or underflow before the length does.
 template <class Vector>
 auto length_of(const Vector& direction) {
   std::remove_cvref_t<decltype(direction[0])> length = 0;
@@ -155,8 +151,8 @@ auto length_of(const Vector& direction) {
   return length;
 }
 
-// Calls to.value(member, place, x) for each single number, bool, enumeration or text. If the visitor has
-// them, to.length() gets the length of a direction, and to.whole(place, p) a struct after all its members.
+// Calls to.value(member, place, x) for each number, bool, enumeration or text. If the visitor has them, also
+// calls to.length() with the length of a direction, and to.whole(place, p) after all members of a struct.
 template <Parameters P, class Visitor>
 void visit(const P& p, const place* at, Visitor& to);
 
@@ -191,7 +187,7 @@ void visit(const P& p, const place* at, Visitor& to) {
   if constexpr (requires { to.whole(at, p); }) to.whole(at, p);
 }
 
-// Whether each number is in its range: no text, so that a control cycle can do it.
+// Range check without texts, for a control cycle.
 struct range_check {
   bool valid = true;
 
@@ -206,7 +202,6 @@ struct range_check {
   }
 };
 
-// The first error.
 struct checker {
   error_message error = {};
 
@@ -236,8 +231,7 @@ struct checker {
 
 }  // namespace detail
 
-/// Whether each parameter is in its range, what validate() checks but for rules(). Neither allocates nor
-/// throws.
+/// True if each parameter is in its range: validate() without rules(). Does not allocate or throw.
 template <Parameters P>
 bool is_in_range(const P& p) {
   detail::range_check check;
@@ -245,7 +239,7 @@ bool is_in_range(const P& p) {
   return check.valid;
 }
 
-/// What is wrong with the parameters; empty if nothing: "length_1 [m] = -1, expected a finite number > 0".
+/// Returns the first error, "length_1 [m] = -1, expected a finite number > 0", or an empty one.
 template <Parameters P>
 error_message validate(const P& p) {
   detail::checker check;
@@ -253,7 +247,7 @@ error_message validate(const P& p) {
   return check.error;
 }
 
-/// The error of one value, a number, vector, matrix or array; empty if it is valid. type_name: whose it is.
+/// Returns the error of a number, vector, matrix or array, or an empty one. type_name: the type in the text.
 template <class V>
 error_message check_value(const char* name, const V& value, const char* unit, const range& hard,
                           const char* type_name = "") {
@@ -263,7 +257,7 @@ error_message check_value(const char* name, const V& value, const char* unit, co
   return check.error;
 }
 
-/// The parameters themselves, if validate(parameters) has no error; else see require_no_error().
+/// Returns the parameters if they are valid; otherwise see require_no_error().
 template <class P>
 const P& require_valid(const P& parameters) {
   require_no_error(validate(parameters));

@@ -1,5 +1,4 @@
-/// @file
-/// Where the value of a parameter may lie.
+/// Valid range of a parameter.
 #pragma once
 
 #include <passive_haptics/core/text.hpp>
@@ -10,37 +9,37 @@
 
 namespace passive_haptics {
 
-/// An interval of numbers in a parameter's unit. An open end at infinity means that the number is finite.
+/// An interval in the unit of a parameter. An open end at infinity means that the number must be finite.
 struct range {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();  ///< No end.
+  static constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Infinity, for no bound.
 
-  double lower = -infinity;   ///< The lower end.
-  double upper = infinity;    ///< The upper end.
-  bool open_below = true;     ///< Whether the lower end itself is outside.
-  bool open_above = true;     ///< Whether the upper end itself is outside.
-  bool is_checked = true;     ///< False: everything is inside, a NaN, too.
-  bool is_direction = false;  ///< It is the length of a vector that lies inside.
-  const char* words = "";     ///< What is expected, where the ends do not say it best.
+  double lower = -infinity;   ///< Lower end.
+  double upper = infinity;    ///< Upper end.
+  bool open_below = true;     ///< True if `lower` is excluded.
+  bool open_above = true;     ///< True if `upper` is excluded.
+  bool is_checked = true;     ///< If false, every value is valid, including NaN.
+  bool is_direction = false;  ///< The range applies to the length of a vector.
+  const char* words = "";     ///< Text for messages; generated if empty.
 
-  static const range anything;      ///< Of which nothing is said.
+  static const range anything;      ///< No restriction.
   static const range finite;        ///< Any finite number.
   static const range positive;      ///< Finite and > 0.
   static const range not_negative;  ///< Finite and >= 0.
-  static const range direction;     ///< Of a vector: finite and not zero.
+  static const range direction;     ///< For a vector: finite and not zero.
 
-  /// Lower and upper end are inside.
+  /// The closed interval.
   static constexpr range between(double lower, double upper) { return {lower, upper, false, false}; }
-  /// Finite and no less than this.
+  /// Finite numbers that are not smaller than this.
   static constexpr range at_least(double lower) { return {lower, infinity, false, true}; }
 
-  /// The range, described by these words in messages.
+  /// Returns a copy with this text for messages.
   constexpr range as(const char* expected) const {
     range same = *this;
     same.words = expected;
     return same;
   }
 
-  /// Whether a number lies inside; a NaN lies nowhere.
+  /// True if x is in the range; false for NaN.
   template <class T>
   constexpr bool contains(T x) const {
     using bound = std::conditional_t<std::is_floating_point_v<T>, T, double>;
@@ -57,7 +56,7 @@ inline constexpr range range::positive{.lower = 0};
 inline constexpr range range::not_negative{.lower = 0, .open_below = false};
 inline constexpr range range::direction{.lower = 0, .is_direction = true, .words = "a direction"};
 
-/// What is expected: "a finite number > 0", "a whole number >= 1", "0.004 to 10".
+/// Text of the range: "a finite number > 0", "a whole number >= 1", "0.004 to 10".
 inline std::string to_text(const range& r, bool whole_numbers = false) {
   using detail::number_text;
   if (*r.words != '\0') return r.words;

@@ -1,6 +1,4 @@
-/// @file
-/// Texts about wrong values. Without streams, which cost a microcontroller 170 KB of flash (std::to_chars of
-/// a double: 130 KB); in no locale.
+/// Texts about invalid values, for any locale. Without streams (170 KB of flash) or std::to_chars (130 KB).
 #pragma once
 
 #include <passive_haptics/core/error_message.hpp>
@@ -15,7 +13,7 @@
 
 namespace passive_haptics::detail {
 
-/// Six digits, as "%g" writes them in the C locale, but 1e7 for 1e+07.
+/// Six digits, like "%g" in the C locale, but 1e7 instead of 1e+07.
 inline std::string number_text(long double value) {
   constexpr int digit_count = 6;
   constexpr long double whole = 100'000;  // six digits before the point
@@ -44,7 +42,6 @@ inline std::string number_text(long double value) {
   return text.append(digits);
 }
 
-/// A number, true or false, or the text itself.
 template <class T>
 std::string value_text(const T& value) {
   if constexpr (std::same_as<T, bool>) return value ? "true" : "false";
@@ -60,7 +57,7 @@ error_message error_text(std::string_view name, T value, std::string_view expect
   });
 }
 
-// Ends as require_no_error() does if a condition does not hold.
+// Calls require_no_error() with an error_text if the condition does not hold.
 template <class T>
 void refuse_unless(bool holds, std::string_view name, T value, std::string_view expected) {
   if (!holds) require_no_error(error_text(name, value, expected));
@@ -72,7 +69,7 @@ std::string indexed(std::string_view before, Index i, std::string_view after) {
   return std::string(before).append(value_text(i)).append(after);
 }
 
-/// A text from a file, for a message: '?' for control characters, which would end it or steer the terminal.
+/// A text from a file, for a message: control characters, which could affect the terminal, become '?'.
 inline std::string printable(std::string_view found) {
   std::string text(found);
   for (char& c : text)
@@ -80,14 +77,13 @@ inline std::string printable(std::string_view found) {
   return text;
 }
 
-/// The word at an enumeration's value, which counts from 0; the last word for all values beyond.
+/// The word of an enumerator, counted from 0; the last word for all values beyond.
 template <class E, std::size_t N>
 constexpr std::string_view word_of(E value, const char* const (&words)[N]) {
   const auto i = static_cast<std::size_t>(value);
   return words[i < N ? i : N - 1];
 }
 
-/// The first error that is not empty.
 template <class... Errors>
 error_message first_error(Errors... errors) {
   error_message first;

@@ -1,7 +1,6 @@
-/// @file
-/// The one source of the version; the build reads it from here.
+/// The version; the build reads it from here.
 #pragma once
 
-#define PASSIVE_HAPTICS_VERSION_MAJOR 0  ///< Changes with every break of the interface, from 1.0 on.
-#define PASSIVE_HAPTICS_VERSION_MINOR 2  ///< Changes with every feature (and every break before 1.0).
-#define PASSIVE_HAPTICS_VERSION_PATCH 0  ///< Changes with every correction.
+#define PASSIVE_HAPTICS_VERSION_MAJOR 0  ///< Incremented with incompatible changes, from 1.0 on.
+#define PASSIVE_HAPTICS_VERSION_MINOR 2  ///< Incremented with features; before 1.0 also incompatible changes.
+#define PASSIVE_HAPTICS_VERSION_PATCH 0  ///< Incremented with corrections.

@@ -1,5 +1,4 @@
-/// @file
-/// Force approximation: what is displayed for a desired force (sections 2 and 4, Fig. 3).
+/// Force approximation: the displayed force for a desired force (sections 2 and 4, Fig. 3).
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
@@ -19,11 +18,10 @@ namespace passive_haptics {
 /// Options of the approximation.
 template <class T>
 struct approximation_parameters {
-  /// Beyond this angle between desired and producible force nothing is displayed [rad]: 1 / cos^2 explodes
-  /// near 90 degrees. In (0, pi/2]; pi/2 cuts nothing off.
+  /// Maximum angle between desired and producible force [rad], in (0, pi/2]; nothing is displayed beyond it,
+  /// because the factor 1 / cos^2 diverges towards 90 degrees. pi/2 disables the limit.
   T max_approximation_angle = (radians)(T(89));
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = approximation_parameters;
     return member_table(member("max_approximation_angle", &p::max_approximation_angle, "rad",
@@ -31,39 +29,39 @@ struct approximation_parameters {
   }
 };
 
-/// Where the next approximation begins.
+/// Start of the next approximation.
 struct approximation_start {
-  half_space_start half_spaces = {};  ///< Of the search among half-spaces.
-  unsigned held = 0;                  ///< n > d: the brakes that come to rest, a bit for each; 0: none known.
+  half_space_start half_spaces = {};  ///< For the half-space search.
+  unsigned held = 0;                  ///< n > d: one bit per brake that comes to rest; 0 if unknown.
 };
 
-/// A force that brakes can display and the torques that make it.
+/// A displayable force and its torques.
 template <class T, int D, int Brakes>
 struct approximated_force {
-  display_class display = display_class::none;           ///< How the desired force is displayed.
-  vector<T, D> force = vector<T, D>::Zero();             ///< Fc [N]; Fc . n = |Fd|. Zero if none.
+  display_class display = display_class::none;  ///< How the desired force is displayed.
+  vector<T, D> force = vector<T, D>::Zero();    ///< Fc [N], Fc . n = |Fd|; zero if nothing is displayed.
   vector<T, Brakes> torque = vector<T, Brakes>::Zero();  ///< t = E^T Fc [N m]; s_i t_i <= 0 exactly.
-  T cosine_squared = T(0);  ///< cos^2(gamma) = (Fd / Fc)^2; 1 if exact, 0 if none.
+  T cosine_squared = T(0);  ///< cos^2(gamma) = (Fd / Fc)^2; 1 if exact, 0 if nothing is displayed.
 
-  /// cos(gamma), of the angle between desired and displayed force.
+  /// cos(gamma), gamma being the angle between desired and displayed force.
   T cosine() const { return sqrt(lanes<T, 1>(cosine_squared))[0]; }
 };
 
-/// A force of a device whose self-motion settles, F = W_S^T t (brake/at_rest/settled_rates.hpp).
+/// A force F = W_S^T t for a settled self-motion (brake/at_rest/settled_rates.hpp).
 template <class T, int D, int Brakes>
 struct settled_force : approximated_force<T, D, Brakes> {
-  unsigned held = 0;                                    ///< S, a bit for each brake that comes to rest.
-  vector<T, Brakes> signs = vector<T, Brakes>::Zero();  ///< s* once settled; s*_i t_i <= 0 exactly.
-  vector<T, D> velocity = vector<T, D>::Zero();         ///< v' [m/s] that they belong to; F . v' <= 0.
+  unsigned held = 0;                                    ///< S, one bit per brake that comes to rest.
+  vector<T, Brakes> signs = vector<T, Brakes>::Zero();  ///< s* after settling; s*_i t_i <= 0 exactly.
+  vector<T, D> velocity = vector<T, D>::Zero();         ///< v' [m/s] to which they belong; F . v' <= 0.
 };
 
-/// a F: the force a Fc has the torques a t, as t = E^T F. The angle stays.
+/// Scales force and torques; the angle does not change.
 template <class T, int D, int Brakes>
 approximated_force<T, D, Brakes> operator*(T a, const approximated_force<T, D, Brakes>& F) {
   return {F.display, lanes(F.force) * a, lanes(F.torque) * a, F.cosine_squared};
 }
 
-/// a F of a settled force.
+/// Scales a settled force.
 template <class T, int D, int Brakes>
 settled_force<T, D, Brakes> operator*(T a, settled_force<T, D, Brakes> F) {
   static_cast<approximated_force<T, D, Brakes>&>(F) =
@@ -71,8 +69,7 @@ settled_force<T, D, Brakes> operator*(T a, settled_force<T, D, Brakes> F) {
   return F;
 }
 
-/// cos^2 of the angle between a force [N] and the unit direction n; 0 from 90 degrees on. For accounts: it
-/// takes a root.
+/// cos^2 of the angle between a force [N] and the unit direction n; 0 from 90 degrees on.
 template <class T, int D>
 T cosine_squared(const vector<T, D>& force, const vector<T, D>& n) {
   const T along = n.dot(force);
@@ -83,14 +80,14 @@ T cosine_squared(const vector<T, D>& force, const vector<T, D>& n) {
 
 namespace detail {
 
-// Whether brakes that are off have no torque t.
+// True if brakes that are off have no torque.
 template <class T, int Brakes, class Off>
 bool are_idle([[maybe_unused]] const vector<T, Brakes>& t, [[maybe_unused]] const Off& off) {
   if constexpr (std::is_same_v<Off, all_brakes_on>) return true;
   else return (off.array() * t.array() == T(0)).all();
 }
 
-// Which brakes cannot have the torques t: those that would drive or are off. And which brakes are on
+// Brakes that cannot have the torques t because they would drive or are off; then the brakes that are on
 template <class T, int Brakes, class Off>
 auto refuse(const lanes<T, Brakes>& s, const lanes<T, Brakes>& t, [[maybe_unused]] const Off& off) {
   const auto drives = s * t > T(0);
@@ -105,16 +102,14 @@ auto without_off(const Mask& brakes, [[maybe_unused]] const Off& off) {
 
 }  // namespace detail
 
-/// Fc for a unit desired force n (base frame) and brakes of signs s, in half-space form.
+/// Displayed force Fc for a unit desired force n (base frame) and brake signs s, in half-space form.
 ///
-/// Exact (Fc = n) where all s_i t_i <= 0 for t = E^T n. Else Fc = Fp / |Fp|^2 with Fp the nearest displayable
-/// force, "so that its component in the normal direction becomes Fd" (section 4); cos(gamma) = |Fp|. None
-/// where |Fp| is of rounding size or gamma is over the limit. Feasible to rounding is Fp = Fc cos^2(gamma),
-/// not Fc itself.
+/// Exact (Fc = n) if all s_i t_i <= 0 for t = E^T n. Otherwise Fc = Fp / |Fp|^2 with the nearest displayable
+/// force Fp, "so that its component in the normal direction becomes Fd" (section 4), and cos(gamma) = |Fp|.
+/// Nothing is displayed if |Fp| is rounding or gamma exceeds the limit. Fp is feasible to rounding.
 ///
-/// start: where the search begins, left for the next cycle; the result does not depend on it. off: brakes
-/// that are off, from brakes_off; their torque is 0 exactly. Cost: core/linear/cone.hpp, but nothing where
-/// the force is exact; with a brake that is off, the active set of 2 m half-spaces.
+/// start: start of the search, updated for the next cycle. off: from brakes_off; their torque is exactly 0.
+/// Cost: core/linear/cone.hpp; with a brake that is off, the active set of 2 m half-spaces.
 template <class EMatrix, class T, int D, int Brakes, class Off = all_brakes_on>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, T min_cosine, half_space_start& start,
@@ -130,7 +125,7 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
 
   const vector<T, D> Fc = Fp / square;
   vector<T, Brakes> tc = brake_torque(E, Fc);
-  // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0
+  // Clear torques that are only rounding errors or that the brake cannot have
   unrolled<Brakes>([&](auto i) {
     if ((nearest.active >> i & 1u) != 0 || s[i] * tc[i] > T(0) || detail::is_off(off, i)) tc[i] = T(0);
   });
@@ -139,7 +134,7 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
 
 namespace detail {
 
-// A vector of the plane for each of two brakes, and the scalar products of each.
+// One planar vector per brake, with dot products per brake.
 template <class T>
 struct vectors_of_brakes {
   lanes<T, 2> x, y;
@@ -153,8 +148,8 @@ struct vectors_of_brakes {
 
 }  // namespace detail
 
-/// Fc for two brakes in the plane (Fig. 3): a brake that would drive is released, the other one makes Fc
-/// along its reference force R, at right angles to the released one's column of E. In scalars:
+/// Displayed force for two planar brakes (Fig. 3). A brake that would drive is released; the other one
+/// produces Fc along its reference force R, perpendicular to the released brake's column of E:
 ///
 ///     t_1 = e_1 . n,  t_2 = e_2 . n                             columns e_1, e_2 of E
 ///     if s_1 t_1 <= 0 and s_2 t_2 <= 0:                         exact, Fc = n
@@ -165,14 +160,14 @@ struct vectors_of_brakes {
 ///         if s_i t_i <= 0 and |R . n| >= min_cosine |R|:        approximate, Fc = R / (R . n)
 ///     otherwise:                                                none, Fc = 0
 ///
-/// The code does this for both brakes at a time and without a branch, as the signs are as random as motion.
+/// The code handles both brakes together and without a branch, because the signs are unpredictable.
 template <class T, class Off = all_brakes_on>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
                                         const vector<T, 2>& n, T min_cosine, half_space_start&,
                                         const Off& off = Off()) {
   using each = lanes<T, 2>;  // brake 1, brake 2
   const each sign = s, t = brake_torque(E, n);
-  // Of each brake: its column of E, and R at right angles to the other one's
+  // e: column of E of each brake; R: perpendicular to the column of the other brake
   const detail::vectors_of_brakes<T> e{row(E, 0), row(E, 1)}, R{swapped(e.y), -swapped(e.x)};
   const each RR = dot(R, R), Rn = dot(R, n), share = T(1) / Rn;
   const each t_alone = cross_or_zero(dot(e, R), RR, swapped(RR)) * share;
@@ -181,15 +176,14 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
   const auto acts =
       swapped(drives) & detail::without_off((sign * t_alone <= T(0)) & (Rn * Rn >= least * least * RR), off);
   const auto nearest = select(any(acts), display_class::approximate, display_class::none);
-  const each of_R = select(first_only(acts), share, T(0));  // both act where their columns are parallel
+  const each of_R = select(first_only(acts), share, T(0));  // both act if their columns are parallel
   return {select(some[0], nearest, display_class::exact),
           select(some, horizontal_add(R.x * of_R, R.y * of_R), n),
           select(some, select(acts, t_alone, T(0)), t),
           select(some[0], sum(select(first_only(acts), cosine_squared, T(0))), T(1))};
 }
 
-/// Fc for a diagonal E: each axis alone. Without a branch, as which axes would drive is as random as their
-/// motion.
+/// Displayed force for a diagonal E: each axis separately, without a branch.
 template <class T, int D, class Off = all_brakes_on>
 approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
                                         const vector<T, D>& n, T min_cosine, half_space_start&,
@@ -205,7 +199,7 @@ approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const ve
           select(acts, select(drives, T(0), t) / square, T(0)), select(acts, square, T(0))[0]};
 }
 
-/// Fc of a search that starts from nothing.
+/// Displayed force without a start.
 template <class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, T min_cosine) {

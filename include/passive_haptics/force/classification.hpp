@@ -1,5 +1,4 @@
-/// @file
-/// Two questions about a desired force: is it passive, and can it be displayed?
+/// Power class and display class of a desired force.
 #pragma once
 
 #include <passive_haptics/core/linear/lanes.hpp>
@@ -8,23 +7,23 @@
 
 namespace passive_haptics {
 
-/// Where the desired force lies by power (section 2).
+/// Power class of the desired force (section 2).
 enum class power_class {
-  none,       ///< No force is desired.
-  active,     ///< Fd . v > 0: only a motor could do it.
-  passive_1,  ///< Every brake alone is passive: s_i td_i <= 0, for n > d by the settled signs.
+  none,       ///< No desired force.
+  active,     ///< Fd . v > 0: requires a motor.
+  passive_1,  ///< Each brake is passive: s_i td_i <= 0, for n > d by the settled signs.
   passive_2,  ///< Passive in total, but some brake would have to drive.
 };
 
-/// How the desired force is displayed. An outward-moving contact can be active and yet be displayed
-/// approximately: direct control lives there.
+/// How the desired force is displayed. An active force at an outward-moving contact may still be displayed
+/// approximately; direct control relies on this.
 enum class display_class {
   none,         ///< No producible force has a component along the desired one.
   approximate,  ///< The nearest producible force, scaled so that its component along Fd is |Fd|.
   exact,        ///< Fd itself.
 };
 
-/// The class in words.
+/// Text of the class.
 constexpr std::string_view to_string(power_class c) {
   switch (c) {
     case power_class::none: return "none";
@@ -35,7 +34,7 @@ constexpr std::string_view to_string(power_class c) {
   return "unknown power class";
 }
 
-/// The class in words.
+/// Text of the class.
 constexpr std::string_view to_string(display_class c) {
   switch (c) {
     case display_class::none: return "none";
@@ -45,12 +44,12 @@ constexpr std::string_view to_string(display_class c) {
   return "unknown display class";
 }
 
-/// True where some force is displayed.
+/// True if a force is displayed.
 constexpr bool is_displayed(display_class c) {
   return c == display_class::exact || c == display_class::approximate;
 }
 
-/// True if every brake alone can produce its part: s_i t_i <= 0 for torques t = E^T F. Then F is in the cone.
+/// True if each brake can produce its torque: s_i t_i <= 0 for t = E^T F. F is then in the cone.
 template <class T, int Brakes>
 bool producible(const vector<T, Brakes>& s, const vector<T, Brakes>& t) {
   bool all = true;
@@ -58,16 +57,14 @@ bool producible(const vector<T, Brakes>& s, const vector<T, Brakes>& t) {
   return all;
 }
 
-/// Power [W] that torques t [N m] give to axes with rates w [rad/s]: the sum of t_i w_i. By virtual work it
-/// is F . v of the force that they make.
+/// Power [W] of torques t [N m] at rates w [rad/s]: the sum of t_i w_i. By virtual work it equals F . v.
 /// @equation{1}
 template <class T, int N>
 T mechanical_power(const vector<T, N>& t, const vector<T, N>& w) {
   return t.dot(w);
 }
 
-/// Power class from the power of the desired force, of which the sign matters, and whether every brake alone
-/// is passive.
+/// Power class from the power of the desired force and whether each brake is passive.
 template <class T>
 power_class classify_power(T power, bool producible_alone) {
   return select(power > T(0), power_class::active,

@@ -1,5 +1,4 @@
-/// @file
-/// The force that a wall demands.
+/// Desired force of a wall.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -10,13 +9,13 @@
 
 namespace passive_haptics {
 
-/// Fd = magnitude * direction. They are kept apart: a wall of 1e7 N/m demands 5e4 N where 2 N are displayed,
-/// so everything but the magnitude is computed for a unit force.
+/// Desired force Fd = magnitude * direction. The parts are separate because a wall of 1e7 N/m may demand 5e4
+/// N while 2 N are displayed: everything except the magnitude is computed for a unit force.
 template <class T, int D>
 struct desired_force {
   vector<T, D> direction;      ///< n = Fd / |Fd|.
   T magnitude;                 ///< |Fd| [N].
-  vector<T, D> wall_velocity;  ///< Of the surface that demands it [m/s].
+  vector<T, D> wall_velocity;  ///< Velocity of the wall surface [m/s].
 };
 
 /// Fd = k depth n of a frictionless elastic wall (section 5.1), base frame.
@@ -25,21 +24,19 @@ desired_force<T, D> desired_force_of(const contact<D>& c) {
   return {as<T>(c.normal), static_cast<T>(c.stiffness * c.depth), as<T>(c.wall_velocity)};
 }
 
-/// True if there is a force: its magnitude is > 0, so not NaN.
+/// True if the magnitude is positive (not NaN).
 template <class T, int D>
 bool is_nonzero(const desired_force<T, D>& Fd) {
   return Fd.magnitude > T(0);
 }
 
-/// n . (v - v_wall) [m/s] of a handle with velocity v: > 0 where it leaves the wall. Of a wall at rest it has
-/// the sign of Fd . v.
+/// Normal velocity n . (v - v_wall) [m/s] of the handle relative to the wall; > 0 if it leaves.
 template <class T, int D>
 T outward(const desired_force<T, D>& Fd, const vector<T, D>& v) {
   return Fd.direction.dot(v - Fd.wall_velocity);
 }
 
-/// Index of the contact that demands the largest force; -1 if there is none. A force that is not finite
-/// governs, so that the step reports it.
+/// Index of the contact with the maximum force (or a non-finite one, for the report); -1 if none.
 template <int D, int Capacity>
 int governing_contact(const contacts<D, Capacity>& touched) {
   if constexpr (Capacity == 1) return touched.size() - 1;
@@ -56,7 +53,7 @@ int governing_contact(const contacts<D, Capacity>& touched) {
   return governing;
 }
 
-/// ok, or what is wrong with one of these contacts: NaN, infinity or a force that overflows T.
+/// Returns ok, or contact_invalid if a contact is not finite or its force overflows T.
 template <class T, class Contacts>
 status check_contacts(const Contacts& touched) {
   for (int j = 0; j < touched.size(); ++j) {

@@ -1,4 +1,3 @@
-/// @file
 /// The nearest force that the brakes can produce.
 #pragma once
 
@@ -7,14 +6,14 @@
 
 namespace passive_haptics {
 
-/// Nearest displayable force Fp to Fd and the brakes that it leaves alone.
+/// Nearest displayable force to Fd.
 template <class T, int D, int Brakes>
 struct nearest_force_result {
-  vector<T, D> force;     ///< Fp [N], in the cone C to rounding; Fp . Fd = |Fp|^2.
-  half_space_set active;  ///< Brakes that are released: their half-spaces hold Fp back, t_i = 0.
+  vector<T, D> force;     ///< Fp [N], in the cone to rounding; Fp . Fd = |Fp|^2.
+  half_space_set active;  ///< Released brakes: their half-spaces are active, t_i = 0.
 };
 
-/// B in C = { F : B^T F <= 0 }: columns s_i E_i.
+/// B in C = { F : B^T F <= 0 }, with the columns s_i E_i.
 template <class T, int D, int Brakes>
 matrix<T, D, Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s) {
   matrix<T, D, Brakes> B;
@@ -22,8 +21,7 @@ matrix<T, D, Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<
   return B;
 }
 
-/// B with a pair of half-spaces, columns +-E_i, for each brake that is off (brakes_off): t_i = 0. 0 in place
-/// of the second one of the others.
+/// B with half-spaces +-E_i for each brake that is off (brakes_off); other second columns are 0.
 template <class T, int D, int Brakes>
 matrix<T, D, 2 * Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
                                         const vector<T, Brakes>& off) {
@@ -34,17 +32,17 @@ matrix<T, D, 2 * Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vec
   return B;
 }
 
-/// B of brakes that are all on.
+/// B if all brakes are on.
 template <class T, int D, int Brakes>
 matrix<T, D, Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
                                     const all_brakes_on&) {
   return half_spaces_of(E, s);
 }
 
-/// Projection of Fd on C = { F : s_i (E^T F)_i <= 0 }, the forces that brakes of signs s can produce.
-/// E (d x m) from brake_jacobian; J may be singular and n > d (then C leaves the self-motion alone).
-/// Brakes with s_i = 0 restrict nothing. Fd of any norm whose square neither overflows nor vanishes. Fp = 0
-/// may come out as a vector of rounding size, not exactly 0. Cost: core/linear/cone.hpp.
+/// Projection of Fd on C = { F : s_i (E^T F)_i <= 0 }, the forces of brakes with signs s. E (d x m) from
+/// brake_jacobian; J may be singular, and n > d is allowed (C then does not affect the self-motion). Brakes
+/// with s_i = 0 impose no constraint. The square of Fd must not overflow or underflow. Cost:
+/// core/linear/cone.hpp.
 template <class T, int D, int Brakes>
 nearest_force_result<T, D, Brakes> nearest_force(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
                                                  const vector<T, D>& Fd) {
@@ -52,7 +50,7 @@ nearest_force_result<T, D, Brakes> nearest_force(const matrix<T, D, Brakes>& E, 
   return {projection.point, projection.active};
 }
 
-/// The nearest force for a diagonal E: each axis alone, nothing to solve, Fp exact.
+/// Nearest force for a diagonal E: each axis separately and exactly.
 template <class T, int D>
 nearest_force_result<T, D, D> nearest_force(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
                                             const vector<T, D>& Fd) {

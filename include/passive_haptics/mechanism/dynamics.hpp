@@ -1,5 +1,4 @@
-/// @file
-/// The optional Dynamics concept: what a simulation and an acceleration-level law need.
+/// The optional Dynamics concept, for simulations and acceleration-level laws.
 #pragma once
 
 #include <passive_haptics/mechanism/mechanism.hpp>
@@ -21,16 +20,16 @@ concept has_bias_acceleration = requires(const M mechanism, const joint_vector<M
 };
 }  // namespace detail
 
-/// A mechanism with inertia:  M(q) qdd + c(q, qd) = J^T F + T^T t  and  xdd = J qdd + Jd qd.
+/// A mechanism with inertia: M(q) qdd + c(q, qd) = J^T F + T^T t and xdd = J qdd + Jd qd.
 ///
-/// Minimal complete definition, beside that of Mechanism:
-///   - `matrix<scalar, n, n> mass_matrix(q) const`: M, symmetric and positive definite, rotors included
-///     [kg m^2, kg m or kg];
-///   - `vector<scalar, n> bias_torque(q, qd) const`: c, Coriolis, centrifugal and gravity torque [N m or N];
+/// Minimal complete definition, in addition to that of Mechanism:
+///   - `matrix<scalar, n, n> mass_matrix(q) const`: M, symmetric and positive definite, including rotors [kg
+///     m^2, kg m or kg];
+///   - `vector<scalar, n> bias_torque(q, qd) const`: c, Coriolis, centrifugal and gravity torques [N m or N];
 ///   - `vector<scalar, d> bias_acceleration(q, qd) const`: Jd qd [m/s^2].
 ///
-/// Laws: M is symmetric positive definite. Jd qd is the derivative of J along qd, times qd. Without gravity
-/// qd . (Md qd / 2 - c) = 0: only outside work changes the kinetic energy.
+/// Laws: M is symmetric positive definite. Jd is the derivative of J along qd. Without gravity qd . (Md qd /
+/// 2 - c) = 0, so that only external work changes the kinetic energy.
 template <class M>
 concept Dynamics = Mechanism<M> && detail::has_mass_matrix<M> && detail::has_bias_torque<M> &&
                    detail::has_bias_acceleration<M>;

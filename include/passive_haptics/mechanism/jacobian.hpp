@@ -1,5 +1,4 @@
-/// @file
-/// The Jacobian and the transmission of any mechanism, from whatever the mechanism gives.
+/// Jacobian and transmission of any mechanism.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -23,7 +22,7 @@ concept differentiates_itself =
 
 }  // namespace detail
 
-/// The requirements of DifferentiableMechanism: `static_assert(is_differentiable_mechanism<M, explain>())`.
+/// Requirements of DifferentiableMechanism: `static_assert(is_differentiable_mechanism<M, explain>())`.
 template <class M, bool Explain = false>
 consteval bool is_differentiable_mechanism() {
   if constexpr (!Mechanism<M>) return is_mechanism<M, Explain>();
@@ -35,12 +34,11 @@ consteval bool is_differentiable_mechanism() {
   return Explain;
 }
 
-/// A mechanism with a Jacobian: it gives one, or its position is a template over the scalar.
+/// A mechanism with a member jacobian, or a position that is a template over the scalar.
 template <class M>
 concept DifferentiableMechanism = Mechanism<M> && is_differentiable_mechanism<M>();
 
-/// J (d x n) by forward-mode automatic differentiation of position(q); exact to rounding.
-/// Cost: one position with n derivatives carried along.
+/// J (d x n) by forward-mode differentiation of position(q). Cost: one position with n derivatives.
 template <class M>
 jacobian_matrix<M> automatic_jacobian(const M& mechanism, const joint_vector<M>& q) {
   using scalar = detail::derivative_scalar<M>;
@@ -52,8 +50,7 @@ jacobian_matrix<M> automatic_jacobian(const M& mechanism, const joint_vector<M>&
   return J;
 }
 
-/// A mechanism in one pose: what it gives there. What its members share, such as sines and cosines, is
-/// computed once, by the mechanism's pose(q) where it has one. Lives no longer than the mechanism and q.
+/// A mechanism in one pose, with its pose(q) computed once. The mechanism and q must outlive this object.
 template <class M>
 class mechanism_pose {
   using T = typename M::scalar;
@@ -64,14 +61,13 @@ class mechanism_pose {
   }
 
  public:
-  /// In pose q.
+  /// The mechanism in pose q.
   PASSIVE_HAPTICS_PART mechanism_pose(const M& mechanism, const joint_vector<M>& q)
       : mechanism_(mechanism), q_(q), pose_(pose_of(mechanism, q)) {}
 
-  /// x [m], base frame.
-  task_vector<M> position() const { return mechanism_.position(pose_); }
+  task_vector<M> position() const { return mechanism_.position(pose_); }  ///< x [m], base frame.
 
-  /// J in v = J qd, d x n, base frame [m/rad or 1]: a matrix, or a diagonal_matrix where the mechanism's is.
+  /// J in v = J qd, d x n, base frame [m/rad or 1]: a matrix or the mechanism's diagonal_matrix.
   auto jacobian() const {
     static_assert(is_differentiable_mechanism<M, explain>());
     if constexpr (detail::jacobian_is_constant<M>) return mechanism_.jacobian();
@@ -79,55 +75,51 @@ class mechanism_pose {
     else return passive_haptics::automatic_jacobian(mechanism_, q_);
   }
 
-  /// T in w = T qd, m x n: a matrix or a diagonal_matrix. Only for mechanisms that name a transmission.
+  /// T in w = T qd, m x n: a matrix or a diagonal_matrix. Requires a mechanism with a transmission.
   auto transmission() const {
     if constexpr (detail::transmission_is_constant<M>) return mechanism_.transmission();
     else if constexpr (requires { mechanism_.transmission(pose_); }) return mechanism_.transmission(pose_);
     else return mechanism_.transmission(q_);
   }
 
-  /// T^T (n x m), which makes joint torques of brake torques; the identity for a mechanism that names no
-  /// transmission.
+  /// T^T (n x m), from brake to joint torques; the identity without a transmission.
   matrix<T, M::dof, M::brake_count> transposed_transmission() const {
     if constexpr (detail::has_exact_transmission<M>)
       return transposed(transmission_matrix<M>(transmission()));
     else return matrix<T, M::dof, M::brake_count>::Identity();
   }
 
-  /// Velocity of the end effector, v = J qd [m/s], base frame.
+  /// End-effector velocity v = J qd [m/s], base frame.
   task_vector<M> velocity(const joint_vector<M>& qd) const { return times(jacobian(), qd); }
 
-  /// Rates of the brakes' axes, w = T qd [rad/s or m/s].
+  /// Brake rates w = T qd [rad/s or m/s].
   brake_vector<M> brake_rates(const joint_vector<M>& qd) const {
     if constexpr (detail::has_exact_transmission<M>) return times(transmission(), qd);
     else return qd;
   }
 
-  /// M [kg m^2, kg m or kg], of a mechanism with Dynamics (mechanism/dynamics.hpp).
+  /// M [kg m^2, kg m or kg], for mechanisms with Dynamics.
   matrix<T, M::dof, M::dof> mass_matrix() const {
     if constexpr (requires { mechanism_.mass_matrix(pose_); }) return mechanism_.mass_matrix(pose_);
     else return mechanism_.mass_matrix(q_);
   }
 
-  /// c [N m or N].
+  /// c [N m or N], for mechanisms with Dynamics.
   joint_vector<M> bias_torque(const joint_vector<M>& qd) const {
     if constexpr (requires { mechanism_.bias_torque(pose_, qd); }) return mechanism_.bias_torque(pose_, qd);
     else return mechanism_.bias_torque(q_, qd);
   }
 
-  /// Jd qd [m/s^2].
+  /// Jd qd [m/s^2], for mechanisms with Dynamics.
   task_vector<M> bias_acceleration(const joint_vector<M>& qd) const {
     if constexpr (requires { mechanism_.bias_acceleration(pose_, qd); })
       return mechanism_.bias_acceleration(pose_, qd);
     else return mechanism_.bias_acceleration(q_, qd);
   }
 
-  /// The mechanism.
-  const M& mechanism() const { return mechanism_; }
-  /// q [rad or m].
-  const joint_vector<M>& q() const { return q_; }
-  /// The result of the mechanism's pose(q), or q if it has no pose.
-  const auto& own() const { return pose_; }
+  const M& mechanism() const { return mechanism_; }  ///< The mechanism.
+  const joint_vector<M>& q() const { return q_; }    ///< q [rad or m].
+  const auto& own() const { return pose_; }          ///< The mechanism's pose(q), or q if it has none.
 
  private:
   const M& mechanism_;
@@ -135,33 +127,33 @@ class mechanism_pose {
   decltype(pose_of(std::declval<const M&>(), std::declval<const joint_vector<M>&>())) pose_;
 };
 
-/// J of one pose (mechanism_pose).
+/// J in pose q.
 template <class M>
 auto jacobian(const M& mechanism, const joint_vector<M>& q) {
   return mechanism_pose<M>(mechanism, q).jacobian();
 }
 
-/// T of one pose (mechanism_pose).
+/// T in pose q.
 template <class M>
   requires detail::has_exact_transmission<M>
 auto transmission(const M& mechanism, const joint_vector<M>& q) {
   return mechanism_pose<M>(mechanism, q).transmission();
 }
 
-/// T^T of one pose (mechanism_pose).
+/// T^T in pose q.
 template <class M>
 matrix<typename M::scalar, M::dof, M::brake_count> transposed_transmission(const M& mechanism,
                                                                            const joint_vector<M>& q) {
   return mechanism_pose<M>(mechanism, q).transposed_transmission();
 }
 
-/// v = J qd [m/s] in one pose.
+/// v = J qd [m/s] in pose q.
 template <class M>
 task_vector<M> velocity(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
   return mechanism_pose<M>(mechanism, q).velocity(qd);
 }
 
-/// w = T qd [rad/s or m/s] in one pose.
+/// w = T qd [rad/s or m/s] in pose q.
 template <class M>
 brake_vector<M> brake_rates(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
   return mechanism_pose<M>(mechanism, q).brake_rates(qd);

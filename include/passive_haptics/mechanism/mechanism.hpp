@@ -1,26 +1,25 @@
-/// @file
-/// The Mechanism concept: joint positions in, end effector out (section 2).
+/// The Mechanism concept: joint positions to end effector (section 2).
 ///
 /// Minimal complete definition (n = dof, d = task_dimension, m = brake_count):
 ///   - `using scalar`: float, double or long double;
 ///   - `static constexpr int dof, task_dimension, brake_count`: m = n >= d; with a transmission also
 ///     redundant brakes, m > n = d, or fewer brakes than joints, m < n >= d. d is 1, 2 or 3;
-///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`: end effector, base frame. All its
-///     components are lengths [m] along orthogonal axes: with an angle among them, such as (x, y, L phi), the
-///     nearest force would depend on the unit of L. Where it is a template over the scalar, its derivative is
-///     the Jacobian (jacobian.hpp).
+///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`: end effector, base frame. All
+///     components are lengths [m] along orthogonal axes; with an angle, as in (x, y, L phi), the nearest
+///     force would depend on the unit of L. If it is a template over the scalar, jacobian.hpp differentiates
+///     it.
 ///
-/// Optional. Members without q are constant; matrices may be diagonal. Both let later layers skip work:
+/// Optional. Members without q are constant; matrices may be diagonal. Both save time in a control cycle:
 ///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
 ///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of full rank,
-///     with w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n); brakes on some
-///     of the joints are given by braked_joints (mechanism/adaptors/braked_joints.hpp);
-///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines.
-///     Both then take it in place of q as well; transmission and the members of Dynamics may. A control cycle
+///     with the rates w of the brake axes. Without it, brake i is on joint i (m = n). For brakes on some of
+///     the joints use braked_joints (mechanism/adaptors/braked_joints.hpp);
+///   - `pose(q) const`, of any type: shared terms of position and jacobian, such as sines and cosines. Both
+///     must then also accept it instead of q; transmission and the members of Dynamics may. A control cycle
 ///     computes it once.
 ///
-/// Laws: position and jacobian of pose(q) are those of q. jacobian is the derivative of position. Both are
-/// pure. Finite q gives a finite position. testing/mechanism_properties.hpp checks them for any model.
+/// Laws: position and jacobian of pose(q) equal those of q. jacobian is the derivative of position. Both are
+/// pure. Finite q gives a finite position. testing/mechanism_properties.hpp checks these laws.
 #pragma once
 
 #include <passive_haptics/core/explain.hpp>
@@ -43,7 +42,7 @@ using task_vector = vector<typename M::scalar, M::task_dimension>;
 template <class M>
 using brake_vector = vector<typename M::scalar, M::brake_count>;
 
-/// E, which maps rates of the brakes to the velocity, or G, which maps their torques to forces: d x m.
+/// E, from brake rates to velocity, or G, from brake torques to forces: d x m.
 template <class M>
 using brake_matrix = matrix<typename M::scalar, M::task_dimension, M::brake_count>;
 
@@ -51,7 +50,7 @@ using brake_matrix = matrix<typename M::scalar, M::task_dimension, M::brake_coun
 template <class M>
 using jacobian_matrix = matrix<typename M::scalar, M::task_dimension, M::dof>;
 
-/// T, m x n, as a matrix whatever the mechanism gives.
+/// T, m x n.
 template <class M>
 using transmission_matrix = matrix<typename M::scalar, M::brake_count, M::dof>;
 
@@ -89,7 +88,7 @@ concept has_position = names_sizes<M> && requires(const M mechanism, const joint
   { mechanism.position(q) } -> ExactVector<typename M::scalar, M::task_dimension>;
 };
 
-// The three ways to call an optional member f: with q, without (constant), or not at all.
+// Detects calls of an optional member f with q, without q (constant), or not at all.
 template <class M>
 concept jacobian_depends_on_pose =
     requires(const M mechanism, const joint_vector<M> q) { mechanism.jacobian(q); };
@@ -98,7 +97,7 @@ concept jacobian_is_constant = requires(const M mechanism) { mechanism.jacobian(
 template <class M>
 concept names_jacobian = jacobian_depends_on_pose<M> || jacobian_is_constant<M> || requires { &M::jacobian; };
 
-// A pose of its own: what position and jacobian have in common.
+// A pose type with shared terms of position and jacobian.
 template <class M>
 concept names_pose = requires(const M mechanism, const joint_vector<M> q) { mechanism.pose(q); };
 template <class M>
@@ -107,7 +106,6 @@ concept has_pose = requires(const M mechanism, const joint_vector<M> q) {
   { mechanism.jacobian(mechanism.pose(q)) } -> ExactMatrix<typename M::scalar, M::task_dimension, M::dof>;
 };
 
-// A class that is made of Base and adds to it.
 template <class X, class Base>
 concept extends = std::derived_from<X, Base> && !std::same_as<X, Base>;
 
@@ -130,8 +128,7 @@ concept has_exact_transmission = requires(const M mechanism, const joint_vector<
 
 }  // namespace detail
 
-/// The requirements of Mechanism, one message for each. A class or function template that takes a mechanism
-/// begins with `static_assert(is_mechanism<M, explain>())`.
+/// Requirements of Mechanism, with one message each: `static_assert(is_mechanism<M, explain>())`.
 template <class M, bool Explain = false>
 consteval bool is_mechanism() {
   if constexpr (!detail::names_scalar<M>)
@@ -180,7 +177,7 @@ consteval bool is_mechanism() {
   return Explain;
 }
 
-/// A mechanism as this file's description defines it: joint positions in, end effector out.
+/// A mechanism as described above in this file.
 template <class M>
 concept Mechanism = is_mechanism<M>();
 

@@ -1,14 +1,13 @@
-/// @file
-/// Self-motion, n > d: J qd = v leaves n - d directions of motion, N = ker J, that nobody holds. A light arm
-/// gives way until n - d of its brakes are at rest, and moves on so. The force that brakes display is the one
-/// that a hand feels from then on (brake/at_rest/settled_rates.hpp). It needs no inertia.
+/// Self-motion, n > d: J qd = v leaves n - d free directions, N = ker J. A light arm moves along them until n
+/// - d of its brakes are at rest. The brakes then display the settled force
+/// (brake/at_rest/settled_rates.hpp). Inertia is not needed.
 #pragma once
 
 #include <passive_haptics/mechanism/mechanism.hpp>
 
 namespace passive_haptics {
 
-/// A device whose self-motion settles while it displays a force.
+/// A device with a self-motion that settles while it displays a force.
 template <class M>
 concept Settles = (M::dof > M::task_dimension);
 

@@ -1,5 +1,4 @@
-/// @file
-/// Td qd: how the brakes' axes accelerate where the joints do not, wd = T qdd + Td qd.
+/// Td qd, the velocity-dependent part of the brake axis accelerations wd = T qdd + Td qd.
 #pragma once
 
 #include <passive_haptics/core/scalar/dual_number.hpp>
@@ -16,7 +15,6 @@ concept has_brake_bias_acceleration = requires(const M mechanism, const joint_ve
   { mechanism.brake_bias_acceleration(q, q) } -> ExactVector<typename M::scalar, M::brake_count>;
 };
 
-// A number and its derivative along one line.
 template <class M>
 using line_scalar = dual_number<typename M::scalar, 1>;
 
@@ -41,7 +39,7 @@ brake_vector<M> transmission_derivative(const M& mechanism, const joint_vector<M
   return drift;
 }
 
-// A central difference over +-eps^(1/3) rad or m
+// Central difference over +-eps^(1/3) rad or m
 template <class M>
 brake_vector<M> transmission_difference(const M& mechanism, const joint_vector<M>& q,
                                         const joint_vector<M>& qd) {
@@ -57,12 +55,10 @@ brake_vector<M> transmission_difference(const M& mechanism, const joint_vector<M
 
 }  // namespace detail
 
-/// Td qd (m) [rad/s^2 or m/s^2] of the mechanism at q with rates qd. 0 where T is constant.
-///
-/// Of a mechanism that has a member `vector<scalar, m> brake_bias_acceleration(q, qd) const` it is what the
-/// member returns. Else, where transmission is a template over the scalar, it is the exact derivative by dual
-/// numbers; where transmission is not, a central difference, whose relative error is of the order of
-/// eps^(2/3): 4e-11 in double, 2e-5 in float. Cost: a transmission with a derivative, or two transmissions.
+/// Td qd (m) [rad/s^2 or m/s^2] at q with rates qd; 0 if T is constant. From the mechanism's `vector<scalar,
+/// m> brake_bias_acceleration(q, qd) const`, or dual numbers if transmission is a template over the scalar,
+/// else a central difference with a relative error of about 4e-11 in double, 2e-5 in float. Cost: one or two
+/// transmissions.
 template <class M>
 brake_vector<M> brake_bias_acceleration(const M& mechanism, const joint_vector<M>& q,
                                         const joint_vector<M>& qd) {

@@ -1,13 +1,12 @@
-/// @file
-/// The torques on brakes at rest, where the mechanism's inertia is known.
+/// Hand torques on brakes at rest, for a known inertia of the mechanism.
 ///
-/// Let S be the brakes at rest and D those that slip. With M qdd + c = J^T Fh + T^T t and w = T qd, the
+/// Let S be the brakes at rest and D the slipping ones. With M qdd + c = J^T Fh + T^T t and w = T qd, the
 /// brakes S stay at rest, wd_S = 0, under the torques
 ///
 ///     t_S = -A_SS^-1 [ T_S M^-1 (J^T Fh - c + T_D^T t_D) + Td_S qd ],   A = T M^-1 T^T,
 ///
-/// and th_S = -t_S is what the hand, gravity and the other brakes do to them. For one brake at rest th has
-/// the sign of the acceleration that the brake would have if it made no torque.
+/// and th_S = -t_S is the torque of the hand, gravity and the other brakes on them. For one brake at rest, th
+/// has the sign of the acceleration that the brake would have without torque.
 #pragma once
 
 #include <passive_haptics/brake/at_rest/brake_bias_acceleration.hpp>
@@ -21,16 +20,11 @@
 
 namespace passive_haptics {
 
-/// Torques th (m) [N m or N] on the brakes at rest; 0 for the others. For any number of brakes m and joints
-/// n.
-///
-/// mass: M (n x n); Tt: T^T (n x m); drive: J^T Fh - c + T_D^T t_D (n) [N m or N]; drift: Td qd (m)
-/// [rad/s^2 or m/s^2]; at_rest: one flag for each brake.
-///
-/// Where A_SS is singular, as for more brakes at rest than joints, the torques are not unique: these are the
-/// shortest that leave the least acceleration. 0 where M is not positive definite. A is never formed: with
-/// M = L L^T and W = L^-1 T_S^T, A_SS = W^T W, and only W is decomposed. Cost: a Cholesky of n x n and an
-/// orthogonal decomposition of n x m.
+/// Torques th (m) [N m or N] on the brakes at rest, 0 for the others, for any numbers of brakes m and joints
+/// n. mass: M (n x n); Tt: T^T (n x m); drive: J^T Fh - c + T_D^T t_D (n) [N m or N]; drift: Td qd (m)
+/// [rad/s^2 or m/s^2]; at_rest: one flag per brake. If A_SS is singular, as with more brakes at rest than
+/// joints, the result is the least-norm solution of least acceleration; 0 if M is not positive definite.
+/// Decomposes M = L L^T (n x n) and W = L^-1 T_S^T (n x m), as A_SS = W^T W.
 template <class T, int Joints, int Brakes>
 vector<T, Brakes> hand_torque_at_rest(const matrix<T, Joints, Joints>& mass,
                                       const matrix<T, Joints, Brakes>& Tt, const vector<T, Joints>& drive,
@@ -49,12 +43,10 @@ vector<T, Brakes> hand_torque_at_rest(const matrix<T, Joints, Joints>& mass,
   return at.solve(vector<T, Joints>(inertia.half_solve(drive) + at.solve_transposed(drift_at_rest)));
 }
 
-/// th (m) [N m or N] on the brakes at rest, 0 for the others, of a mechanism in a pose. w: rates of the
-/// brakes [rad/s or m/s]; strength: what those that slip make [N m] >= 0. Cost: that of the torques above,
-/// with the mechanism's M, c and Td qd.
-///
-/// A control cycle takes it where its state has it (torques_at_rest); else it takes the static rule th = E^T
-/// Fh (brake/signs.hpp), which needs no inertia.
+/// Torques th (m) [N m or N] on the brakes at rest, 0 for the others, for a mechanism in a pose. w: brake
+/// rates [rad/s or m/s]; strength: torques of slipping brakes [N m], >= 0. Cost: as above. A control cycle
+/// uses the torques_at_rest of its state if available; otherwise the static rule th = E^T Fh
+/// (brake/signs.hpp).
 template <Dynamics M, class B, class State>
 brake_vector<M> exact_hand_torque(const mechanism_pose<M>& pose, const B& brakes, const State& state,
                                   const brake_vector<M>& w, const brake_vector<M>& strength) {

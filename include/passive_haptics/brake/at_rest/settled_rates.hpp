@@ -1,5 +1,4 @@
-/// @file
-/// How the brakes of a device with self-motion turn once it has settled.
+/// Brake rates of a device with a settled self-motion.
 #pragma once
 
 #include <passive_haptics/brake/torque_interval.hpp>
@@ -12,21 +11,20 @@
 
 namespace passive_haptics {
 
-/// A set of brakes: bit i stands for brake i.
+/// A set of brakes: bit i is brake i.
 using brake_set = unsigned;
 
-/// Whether brake i is in the set.
+/// True if brake i is in the set.
 constexpr bool contains(brake_set set, int i) { return (set >> i & 1u) != 0; }
 
-/// Whether the set has `Count` brakes, 1 or more. Not by std::popcount, for which g++ 12 calls a function.
+/// True if the set has `Count` >= 1 brakes. Avoids std::popcount, a function call with g++ 12.
 template <int Count>
 constexpr bool holds(brake_set set) {
-  for (int k = 1; k < Count; ++k) set &= set - 1;  // without its first brake
+  for (int k = 1; k < Count; ++k) set &= set - 1;  // removes the first brake
   return set != 0 && (set & (set - 1)) == 0;
 }
 
-/// The brakes that can make no torque in a cycle, neither way: those that are off. None of brakes without an
-/// interval.
+/// Brakes that cannot produce torque in either direction in this cycle. Empty for brakes without an interval.
 template <class T, int Brakes, class B>
 brake_set brakes_without_torque([[maybe_unused]] const B& brakes) {
   brake_set off = 0;
@@ -38,17 +36,15 @@ brake_set brakes_without_torque([[maybe_unused]] const B& brakes) {
   return off;
 }
 
-/// The brakes of a device with self-motion, n > d, whose handle moves with v. A light arm that slips gives
-/// way along N = ker J until its brakes take the least power there is; then as many of them are at rest as N
-/// moves independently, r = rank(T N), n - d as a rule. Those S that are at rest leave one motion of all
-/// joints, and so of the other brakes:
+/// Brakes of a device with self-motion, n > d, at a handle velocity v. The self-motion N = ker J of a light
+/// arm changes until the brakes dissipate the least power. Then r = rank(T N) brakes are at rest, usually n -
+/// d. Such a set S determines the rates of the other brakes:
 ///
 ///     w* = W_S v,   W_S = T J^+ - T N ((T N)_S)^-1 (T J^+)_S.
 ///
-/// By virtual work the torques of these others make the force F = W_S^T t, whatever they are; those of S
-/// balance what is left on the self-motion. Which brakes come to rest the device decides: every set of r
-/// brakes whose rows of T N are independent is a candidate, at most C(m, r). A brake that is off holds
-/// nothing: r is the rank of the others' rows.
+/// By virtual work the other torques produce the force F = W_S^T t; those of S balance the rest of the
+/// self-motion. Candidates for S are all sets of r brakes with independent rows of T N, at most C(m, r). A
+/// brake that is off holds nothing, and r is then the rank of the other rows.
 template <class M>
 class settled_rates {
   using T = typename M::scalar;
@@ -56,15 +52,13 @@ class settled_rates {
   static_assert(m <= 32, "passive_haptics: a device with self-motion has at most 32 brakes.");
 
  public:
-  /// W_S (m x d), which maps velocities of the handle to rates of the brakes; its rows of S are 0.
+  /// W_S (m x d), from handle velocities to brake rates; its rows of S are 0.
   using rate_map = matrix<T, m, d>;
-  /// Least share, see the constructor, of a control cycle.
-  static constexpr T default_share = T(1e-3);
+  static constexpr T default_share = T(1e-3);  ///< min_share in a control cycle, see the constructor.
 
-  /// Of a pose. A row of T N that is shorter than min_share times a brake's greatest motion, after those
-  /// before it were taken out of it, counts as dependent. A brake at rest that the self-motion hardly moves
-  /// would let the others race. off: brakes that cannot be held (brakes_without_torque). Cost: an orthogonal
-  /// decomposition of d x n.
+  /// Rates in one pose. A row of T N is dependent if, projected off the previous ones, it is shorter than
+  /// min_share times the maximum motion of its brake, because holding such a brake would let the others race.
+  /// off: brakes that cannot hold (brakes_without_torque). Cost: an orthogonal decomposition of d x n.
   explicit settled_rates(const mechanism_pose<M>& pose, T min_share = default_share, brake_set off = 0)
       : min_share_(min_share) {
     const orthogonal_decomposition<T, d, n> J(jacobian_matrix<M>(pose.jacobian()), rounding_tolerance<T>(n));
@@ -82,17 +76,17 @@ class settled_rates {
     if (lost_) held_by_structure_ = J.left_null_projection();
   }
 
-  /// T J^+ (m x d): rates of the brakes under the least joint rates for a velocity.
+  /// T J^+ (m x d): brake rates for the least joint rates of a velocity.
   const rate_map& least_norm_rates() const { return start_.rates; }
-  /// T N (m x n): rates of the brakes under self-motions; columns past the self-motions are 0.
+  /// T N (m x n): brake rates of self-motions; the columns beyond the self-motions are 0.
   const matrix<T, m, n>& of_self_motion() const { return start_.self; }
-  /// The part of a force that no joint feels, as the pose is singular: the structure holds it. Else 0.
+  /// Component of a force that no joint feels in a singular pose, so that the structure carries it; else 0.
   vector<T, d> held_by_structure(const vector<T, d>& F) const {
     if (lost_) return held_by_structure_ * F;
     return vector<T, d>::Zero();
   }
 
-  /// Whether these brakes can be those at rest, and then their W_S.
+  /// True if these brakes can be at rest; then also sets W to W_S.
   bool find(brake_set S, rate_map& W) const {
     candidate x = start_;
     for (int i = 0; i < m; ++i)
@@ -101,21 +95,21 @@ class settled_rates {
     return x.depth == rank_;
   }
 
-  /// visit(S, W_S) for each set of brakes that can be at rest, until it returns true.
+  /// Calls visit(S, W_S) for each set of brakes that can be at rest, until it returns true.
   template <class Visit>
   void for_each(const Visit& visit) const {
     visit_from(0, 0, start_, visit);
   }
 
  private:
-  // W of the brakes held so far, and T N without what holds them, its first `depth` columns used up
+  // W for the brakes held so far, and T N with its first `depth` columns used
   struct candidate {
     rate_map rates;
     matrix<T, m, n> self;
     int depth = 0;
   };
 
-  // Brings brake i to rest by what is left of the self-motion; false where that does not move it
+  // Brings brake i to rest by the remaining self-motion; false if that does not move it
   bool hold(candidate& x, int i) const {
     if (x.depth >= self_motions_) return false;
     int pivot = x.depth;
@@ -130,7 +124,7 @@ class settled_rates {
     return true;
   }
 
-  // rates[0], ..., rates[m - 1] without that part of the motion which moves brake i
+  // Removes from rates[0], ..., rates[m - 1] the motion of brake i
   static void without(T* rates, const lanes<T, m>& motion, int i) {
     (lanes<T, m>::load(rates) - motion * rates[i]).store(rates);
     rates[i] = T(0);
@@ -155,7 +149,7 @@ class settled_rates {
   T min_share_;
   int self_motions_ = 0, rank_ = 0;
   candidate start_ = {};
-  vector<T, m> max_motion_;  // motion of a brake; infinite where it is off, so that no share is enough
+  vector<T, m> max_motion_;  // infinite for a brake that is off, so that no share suffices
   bool lost_ = false;
   matrix<T, d, d> held_by_structure_;
 };

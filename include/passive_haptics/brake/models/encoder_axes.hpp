@@ -1,25 +1,21 @@
-/// @file
-/// The axes that the encoders of a mechanism turn with, and the joint positions that follow from them.
+/// Encoder axes of a mechanism, and the joint positions from them.
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
 
 namespace passive_haptics {
 
-/// The encoders' axes theta of mechanism M. Where the transmission is constant, they are the brakes' axes:
-/// theta = T q and q = T^+ theta (the mean of what redundant brakes give). Where the transmission depends on
-/// the pose, where there is none, or where not all joints have a brake, they are the joints: the brakes'
-/// angles then do not give those of the joints.
+/// Encoder axes theta of mechanism M. With a constant transmission and m >= n, these are the brake axes:
+/// theta = T q and q = T^+ theta. Otherwise they are the joints.
 template <class M>
 class encoder_axes {
  public:
-  using scalar = typename M::scalar;  ///< Scalar of the mechanism.
-  /// Whether they are the brakes' axes.
+  using scalar = typename M::scalar;  ///< Scalar type.
+  /// True if the axes are those of the brakes.
   static constexpr bool on_brakes = detail::transmission_is_constant<M> && M::brake_count >= M::dof;
-  /// How many.
-  static constexpr int count = on_brakes ? M::brake_count : M::dof;
+  static constexpr int count = on_brakes ? M::brake_count : M::dof;  ///< Number of axes.
 
-  /// Of the mechanism. NaN comes out of to_joints where T has not full column rank.
+  /// Axes of this mechanism. to_joints returns NaN if T does not have full column rank.
   explicit encoder_axes(const M& mechanism) {
     if constexpr (on_brakes) {
       to_axes_ = wide(mechanism.transmission());
@@ -27,13 +23,13 @@ class encoder_axes {
     }
   }
 
-  /// Axis positions [rad or m] of joint positions, or axis rates of joint rates.
+  /// Axis positions [rad or m] for joint positions, or axis rates for joint rates.
   vector<scalar, count> from_joints(const joint_vector<M>& q) const noexcept {
     if constexpr (on_brakes) return vector<scalar, count>(to_axes_ * q);
     else return q;
   }
 
-  /// Joint positions [rad or m] of axis positions, or joint rates of axis rates.
+  /// Joint positions [rad or m] for axis positions, or joint rates for axis rates.
   joint_vector<M> to_joints(const vector<scalar, count>& theta) const noexcept {
     if constexpr (on_brakes) return joint_vector<M>(to_joints_ * theta);
     else return theta;

@@ -1,5 +1,4 @@
-/// @file
-/// Brakes whose torque limit depends on their rate, in a control cycle.
+/// Brakes with rate-dependent torque limits, for a control cycle.
 #pragma once
 
 #include <passive_haptics/brake/models/brake_model.hpp>
@@ -13,10 +12,9 @@
 
 namespace passive_haptics {
 
-/// The brakes of mechanism M for a controller, where each can give no more than its model says at its rate
-/// (torque_limit_at), nor more than its torque_limit: eddy currents give nothing at rest. For the
-/// brakes' type of a controller or a step; laws see switchable_brakes<M> with the limits of the moment. A
-/// brake that can give nothing at its rate is off in that cycle: the others display what they can without it.
+/// Brakes of mechanism M, limited to their torque_limit and to the torque_limit_at of their models;
+/// eddy-current brakes, for example, produce no torque at rest. For a controller or a step; laws see
+/// switchable_brakes<M> with the current limits. A brake with a limit of 0 is off in that cycle.
 template <class M, BrakeModel Model>
 class rate_limited_brakes : switchable_brakes<M> {
   using base = switchable_brakes<M>;
@@ -24,33 +22,33 @@ class rate_limited_brakes : switchable_brakes<M> {
                 "passive_haptics: a brake model must have the mechanism's scalar.");
 
  public:
-  using base::rate_dead_band;    ///< As in brake_parameters.
-  using base::time_constant;     ///< As in brake_parameters.
-  using base::torque_dead_band;  ///< As in brake_parameters.
-  using base::torque_limit;      ///< As in brake_parameters.
-  using base::torque_lower;      ///< As in switchable_brakes.
-  using base::torque_upper;      ///< As in switchable_brakes.
+  /// As in switchable_brakes.
+  /// @{
+  using base::rate_dead_band;
+  using base::time_constant;
+  using base::torque_dead_band;
+  using base::torque_limit;
+  using base::torque_lower;
+  using base::torque_upper;
 
-  using base::make_negative;  ///< As in switchable_brakes.
-  using base::make_positive;  ///< As in switchable_brakes.
-  using base::switch_off;     ///< As in switchable_brakes.
-  using base::switch_on;      ///< As in switchable_brakes.
+  using base::make_negative;
+  using base::make_positive;
+  using base::switch_off;
+  using base::switch_on;
+  /// @}
 
-  std::array<Model, std::size_t(M::brake_count)> models = {};  ///< One for each brake.
+  std::array<Model, std::size_t(M::brake_count)> models = {};  ///< One model per brake.
 
-  /// With all default values.
-  rate_limited_brakes() = default;
-  /// As these brakes, with the models' default values.
-  rate_limited_brakes(const brakes_of<M>& brakes) : base(brakes) {}
-  /// As these brakes, of which some may be off, with the models' default values.
+  rate_limited_brakes() = default;                                   ///< Default brakes and models.
+  rate_limited_brakes(const brakes_of<M>& brakes) : base(brakes) {}  ///< These brakes, with default models.
+  /// These brakes, some of which may be off, with default models.
   rate_limited_brakes(const base& brakes) : base(brakes) {}
-  /// As these brakes, each limited by its model. Throws std::invalid_argument if a parameter of a model is
-  /// invalid.
+  /// These brakes with these models. Throws std::invalid_argument if a parameter of a model is invalid.
   rate_limited_brakes(const base& brakes, const decltype(models)& each) : base(brakes), models(each) {
     if constexpr (Parameters<Model>) require_no_error(check_value("models", each, "", range::anything));
   }
 
-  /// What they are at these rates [rad/s or m/s]: a limit that is not finite or negative is 0.
+  /// The brakes at these rates [rad/s or m/s]. Limits that are negative or not finite become 0.
   switchable_brakes<M> at(const brake_vector<M>& rates) const noexcept {
     base now = *this;
     for (int i = 0; i < M::brake_count; ++i)

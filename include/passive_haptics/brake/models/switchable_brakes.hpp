@@ -1,5 +1,4 @@
-/// @file
-/// Brakes that a program switches off and on, and brakes that work one way, in a control cycle.
+/// Brakes that can be off or one-way, for a control cycle.
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>
@@ -8,44 +7,37 @@
 
 namespace passive_haptics {
 
-/// The m brakes of a device, of which each may be off or work one way. For the brakes' type of a controller
-/// or a step: the cone of displayable forces is that of the brakes that are on.
+/// The m brakes of a device, each of which may be off or one-way. For a controller or a step:
 ///
 ///     ph::switchable_brakes<device> brakes;  // all on
 ///     brakes.switch_off(1);                  // its clutch is released
 ///     control.set_brakes(brakes);            // from the next cycle on
 template <class T, int Brakes>
 struct switchable_brake_parameters {
-  static constexpr T unbounded = std::numeric_limits<T>::infinity();  ///< A bound that bounds nothing [N m].
+  static constexpr T unbounded = std::numeric_limits<T>::infinity();  ///< Infinity, for no bound [N m].
 
   vector<T, Brakes> torque_limit = brake_parameters<T, Brakes>().torque_limit;  ///< As in brake_parameters.
-  /// Least torque on the brake's own axis, signed [N m], <= 0; -inf: -torque_limit.
+  /// Minimum torque on the brake's own axis, signed [N m], <= 0; -inf means -torque_limit.
   vector<T, Brakes> torque_lower = vector<T, Brakes>::Constant(-unbounded);
-  /// Most torque on the brake's own axis, signed [N m], >= 0; inf: torque_limit.
+  /// Maximum torque on the brake's own axis, signed [N m], >= 0; inf means torque_limit.
   vector<T, Brakes> torque_upper = vector<T, Brakes>::Constant(unbounded);
   vector<T, Brakes> rate_dead_band = brake_parameters<T, Brakes>().rate_dead_band;      ///< As there.
   vector<T, Brakes> torque_dead_band = brake_parameters<T, Brakes>().torque_dead_band;  ///< As there.
   vector<T, Brakes> time_constant = brake_parameters<T, Brakes>().time_constant;        ///< As there.
 
-  /// All on, with all default values.
-  switchable_brake_parameters() = default;
-  /// As these brakes, all on.
+  switchable_brake_parameters() = default;  ///< Default values; all brakes are on.
+  /// These brakes; all are on.
   switchable_brake_parameters(const brake_parameters<T, Brakes>& brakes)
       : torque_limit(brakes.torque_limit),
         rate_dead_band(brakes.rate_dead_band),
         torque_dead_band(brakes.torque_dead_band),
         time_constant(brakes.time_constant) {}
 
-  /// Brake i works both ways.
-  void switch_on(int i) noexcept { set_bounds(i, -unbounded, unbounded); }
-  /// Brake i makes no torque.
-  void switch_off(int i) noexcept { set_bounds(i, T(0), T(0)); }
-  /// Brake i makes torques >= 0 alone: it resists a negative rate of its axis.
-  void make_positive(int i) noexcept { set_bounds(i, T(0), unbounded); }
-  /// Brake i makes torques <= 0 alone: it resists a positive rate of its axis.
-  void make_negative(int i) noexcept { set_bounds(i, -unbounded, T(0)); }
+  void switch_on(int i) noexcept { set_bounds(i, -unbounded, unbounded); }  ///< Brake i works both ways.
+  void switch_off(int i) noexcept { set_bounds(i, T(0), T(0)); }            ///< Brake i has no torque.
+  void make_positive(int i) noexcept { set_bounds(i, T(0), unbounded); }    ///< Torque >= 0, against w < 0.
+  void make_negative(int i) noexcept { set_bounds(i, -unbounded, T(0)); }   ///< Torque <= 0, against w > 0.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = switchable_brake_parameters;
     return member_table(

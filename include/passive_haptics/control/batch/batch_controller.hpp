@@ -1,5 +1,4 @@
-/// @file
-/// A mechanism, its brakes, a scene and a law, ready to be called for many states at once.
+/// Control cycles for a batch of states.
 #pragma once
 
 #include <passive_haptics/control/batch/batch_results.hpp>
@@ -10,9 +9,8 @@
 
 namespace passive_haptics {
 
-/// The control cycle of N states, one after the other, for maps, sweeps and studies: what a controller
-/// returns for each of them, called with a fresh memory and a scene that has not seen the handle before.
-/// Threads may share the states by part_of().
+/// Runs the control cycle of N independent states, for maps, sweeps and studies. Each result is that of a new
+/// controller and scene. To use threads, divide the states with part_of().
 template <class M, class S, class L, class B = brakes_of<M>>
 class batch_controller {
   static_assert(detail::is_controller<M, B, S, L, explain>());
@@ -21,7 +19,7 @@ class batch_controller {
   using mechanism_type = M;                               ///< The mechanism.
   using options_type = step_options<typename M::scalar>;  ///< Options of a step.
 
-  /// Throws std::invalid_argument as a controller does.
+  /// Throws std::invalid_argument like a controller.
   batch_controller(M mechanism, const B& brakes, S scene, L law = {},
                    const options_type& options = options_type())
       : mechanism_(std::move(mechanism)),
@@ -32,9 +30,8 @@ class batch_controller {
         brake_jacobian_(mechanism_),
         parameters_(passive_haptics::check_parameters(brakes_, law_, options_)) {}
 
-  /// Stores the results of these states. May be called by several threads at once, with other results. Throws
-  /// std::invalid_argument with the text of check_lengths(), or if the law needs a hand force and there is
-  /// none. Allocates nothing unless a copy of the scene does.
+  /// Stores the results of these states. Thread-safe with separate results. Throws std::invalid_argument if
+  /// check_lengths() or check_hand_force() returns an error. Only allocates if copying the scene does.
   void operator()(const batch_states<M>& states, const batch_results<M>& results) const {
     require_no_error(check_lengths(states));
     require_no_error(check_lengths(results, states.size()));
@@ -43,10 +40,8 @@ class batch_controller {
     else run<step_result_for<M, typename S::contacts_type>>(states, results);
   }
 
-  /// The mechanism.
-  const M& mechanism() const { return mechanism_; }
-  /// The brakes.
-  const B& brakes() const { return brakes_; }
+  const M& mechanism() const { return mechanism_; }  ///< The mechanism.
+  const B& brakes() const { return brakes_; }        ///< The brakes.
 
  private:
   template <class Result>
@@ -71,13 +66,13 @@ class batch_controller {
   status parameters_;  // of brakes_, law_ and options_
 };
 
-/// Of these types, in this order: others meet the message about the order.
+/// Deduces the types from arguments in this order; a wrong order fails with a message.
 template <class M, class B, class S, class L>
 batch_controller(M, const B&, S, L) -> batch_controller<M, S, L, B>;
 /// With options.
 template <class M, class B, class S, class L>
 batch_controller(M, const B&, S, L, const step_options<typename M::scalar>&) -> batch_controller<M, S, L, B>;
-/// One argument is missing: meets the message about it.
+/// For a message about a missing argument.
 template <class M, class B, class S>
 batch_controller(M, const B&, S) -> batch_controller<M, S, detail::nothing_given, B>;
 

@@ -1,5 +1,4 @@
-/// @file
-/// The results of a batch, a structure of arrays.
+/// Results of a batch, as a structure of arrays.
 #pragma once
 
 #include <passive_haptics/control/batch/batch_states.hpp>
@@ -11,30 +10,29 @@
 
 namespace passive_haptics {
 
-/// Where a batch stores what step_result has of each of N states. An array that is empty is left out; where
-/// all but capacity and outcome are, each cycle is a controller's command(). No array may overlap another
-/// one.
+/// Arrays for the members of step_result of N states. Empty arrays are skipped; if only capacity and outcome
+/// are given, each cycle runs as a controller's command(). Arrays must not overlap.
 template <class M>
 struct batch_results {
   static_assert(is_mechanism<M, explain>());
-  using T = typename M::scalar;  ///< A number of a result.
+  using T = typename M::scalar;  ///< Scalar of the results.
 
-  component_arrays<T, M::brake_count> capacity;  ///< The most each brake may hold [N m].
+  component_arrays<T, M::brake_count> capacity;  ///< Maximum torque each brake may hold [N m].
   std::span<status> outcome;                     ///< ok, or why the brakes were released.
 
-  component_arrays<T, M::brake_count> torque = {};  ///< What the mechanism is predicted to feel [N m].
-  std::span<power_class> power = {};                ///< Of the desired force.
+  component_arrays<T, M::brake_count> torque = {};  ///< Predicted torque on the mechanism [N m].
+  std::span<power_class> power = {};                ///< Class of the desired force.
   std::span<display_class> display = {};            ///< How it is displayed.
-  std::span<std::uint8_t> saturated = {};           ///< 1 where a torque limit was reached, else 0.
+  std::span<std::uint8_t> saturated = {};           ///< 1 if a torque limit was reached, else 0.
   std::span<int> wall_number = {};                  ///< Wall that demands the force; -1 in free space.
   std::span<T> alpha = {};                          ///< Scale factor of the law (12).
   std::span<T> approximation_cosine = {};           ///< cos(gamma).
   component_arrays<T, M::task_dimension> desired_force = {};   ///< Fd [N], base frame.
   component_arrays<T, M::task_dimension> control_force = {};   ///< Fc [N], base frame.
-  component_arrays<T, M::brake_count> cone_coefficients = {};  ///< Torques that make Fc [N m].
+  component_arrays<T, M::brake_count> cone_coefficients = {};  ///< Torques of Fc [N m].
   component_arrays<T, M::brake_count> signs = {};              ///< s: -1, 0 or 1.
 
-  /// Calls f(name, array or arrays, what step_result has there) for all that may be left out.
+  /// Calls f(name, array or arrays, member of step_result) for all optional arrays.
   template <class Result, class F>
   PASSIVE_HAPTICS_PART void for_each_of_account(const Result& r, F&& f) const {
     f("torque", torque, r.torque);
@@ -71,7 +69,6 @@ void store(const std::array<std::span<T>, Components>& arrays, std::size_t k, co
   static_assert(N == static_cast<int>(Components));
   unrolled<N>([&](auto i) { store(nth(arrays, i), k, x[i]); });
 }
-// Stores the result of state k.
 template <class M, class R>
 void store(const batch_results<M>& results, std::size_t k, const R& r) {
   store(results.capacity, k, r.capacity);
@@ -85,7 +82,7 @@ void store(const batch_results<M>& results, std::size_t k, const R& r) {
 
 }  // namespace detail
 
-/// Whether nothing but capacity and outcome is stored.
+/// True if only capacity and outcome are stored.
 template <class M>
 bool are_commands(const batch_results<M>& results) {
   bool left_out = true;
@@ -95,7 +92,7 @@ bool are_commands(const batch_results<M>& results) {
   return left_out;
 }
 
-/// Where the results of states first to first + count - 1 are stored.
+/// Arrays for states first to first + count - 1.
 template <class M>
 batch_results<M> part_of(const batch_results<M>& r, std::size_t first, std::size_t count) {
   const auto part = [&](const auto& arrays) { return detail::part_of(arrays, first, count); };
@@ -106,7 +103,7 @@ batch_results<M> part_of(const batch_results<M>& r, std::size_t first, std::size
           part(r.signs)};
 }
 
-/// What is wrong with the lengths of the arrays, for this many states; empty if nothing.
+/// Error text if the lengths of the arrays do not fit this number of states, or empty.
 template <class M>
 error_message check_lengths(const batch_results<M>& results, std::size_t states) {
   error_message error = detail::check_lengths("capacity", results.capacity, states, false);

@@ -1,5 +1,4 @@
-/// @file
-/// The states of a batch, a structure of arrays.
+/// States of a batch, as a structure of arrays.
 #pragma once
 
 #include <passive_haptics/control/device_state.hpp>
@@ -14,28 +13,26 @@
 
 namespace passive_haptics {
 
-/// N numbers for each component of a vector: component i of state k is arrays[i][k].
+/// N numbers per component of a vector: component i of state k is arrays[i][k].
 template <class T, int Components>
 using component_arrays = std::array<std::span<T>, static_cast<std::size_t>(Components)>;
 
-/// N states of M, of which nothing is copied or kept. The arrays of q say how many there are.
+/// N states of M. Refers to arrays of the caller. N is the length of the arrays of q.
 template <class M>
 struct batch_states {
   static_assert(is_mechanism<M, explain>());
-  using T = const typename M::scalar;  ///< A number of a state.
+  using T = const typename M::scalar;  ///< Scalar of the states.
 
   component_arrays<T, M::dof> q;   ///< Joint positions [rad or m].
   component_arrays<T, M::dof> qd;  ///< Joint rates [rad/s or m/s].
-  /// What the hand does to the handle [N], base frame. Empty: the states have no force sensor.
+  /// Force of the hand on the handle [N], base frame. Empty without a force sensor.
   component_arrays<T, M::task_dimension> hand_force = {};
   std::span<const double> time = {};  ///< [s]. Empty: 0.
 
-  /// N.
-  std::size_t size() const { return q[0].size(); }
-  /// Whether there is a hand force.
-  bool has_hand_force() const { return !hand_force[0].empty(); }
+  std::size_t size() const { return q[0].size(); }                ///< N.
+  bool has_hand_force() const { return !hand_force[0].empty(); }  ///< True if there is a hand force.
 
-  /// State k, 0 <= k < N, with a hand force of 0 where there is none.
+  /// State k, 0 <= k < N, with a hand force of 0 if there is none.
   device_state<M> operator[](std::size_t k) const {
     device_state<M> s;
     s.time = time.empty() ? 0 : time[k];
@@ -51,7 +48,7 @@ struct batch_states {
 
 namespace detail {
 
-// What is wrong with the length of an array that may be there or not; empty if nothing.
+// Error text if the length of a possibly optional array is wrong, or empty.
 inline error_message check_length(std::string_view name, std::size_t length, std::size_t states,
                                   bool may_be_left_out) {
   if (length == states) return {};
@@ -70,7 +67,7 @@ inline error_message check_lengths(std::string_view name, const auto& array, std
   return may_be_left_out && array.empty() ? error_message()
                                           : check_length(name, array.size(), states, may_be_left_out);
 }
-// Of the arrays of a vector, which are all there or none.
+// For the arrays of a vector, of which all or none must be given.
 template <class T, std::size_t Components>
 error_message check_lengths(std::string_view name, const std::array<std::span<T>, Components>& arrays,
                             std::size_t states, bool may_be_left_out) {
@@ -87,7 +84,6 @@ error_message check_lengths(std::string_view name, const std::array<std::span<T>
 }  // namespace detail
 
 namespace detail {
-// Of an array that is left out nothing.
 template <class T>
 std::span<T> part_of(std::span<T> array, std::size_t first, std::size_t count) {
   return array.empty() ? array : array.subspan(first, count);
@@ -100,14 +96,14 @@ std::array<std::span<T>, Components> part_of(std::array<std::span<T>, Components
 }
 }  // namespace detail
 
-/// States first to first + count - 1 of them, such as for a thread.
+/// States first to first + count - 1, e.g. for a thread.
 template <class M>
 batch_states<M> part_of(const batch_states<M>& s, std::size_t first, std::size_t count) {
   const auto part = [&](const auto& arrays) { return detail::part_of(arrays, first, count); };
   return {part(s.q), part(s.qd), part(s.hand_force), part(s.time)};
 }
 
-/// What is wrong with the lengths of the arrays; empty if nothing.
+/// Error text if the lengths of the arrays differ, or empty.
 template <class M>
 error_message check_lengths(const batch_states<M>& states) {
   const std::size_t n = states.size();
@@ -118,7 +114,7 @@ error_message check_lengths(const batch_states<M>& states) {
   return error;
 }
 
-/// What is missing where a law needs the hand force; empty if nothing.
+/// Error text if a required hand force is missing, or empty.
 template <class M>
 error_message check_hand_force(const batch_states<M>& states) {
   if (states.has_hand_force() || states.size() == 0) return {};

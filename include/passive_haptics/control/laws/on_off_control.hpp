@@ -1,5 +1,4 @@
-/// @file
-/// On-off control: the whole approximated force or none, by a relay with hysteresis.
+/// On-off control: all or none of the approximated force, by a relay with hysteresis.
 #pragma once
 
 #include <passive_haptics/control/laws/contact_memory.hpp>
@@ -14,11 +13,10 @@ namespace passive_haptics {
 
 /// Constants of on_off_control.
 struct on_off_parameters {
-  double reference_depth = 1.5e-3;  ///< In the wall, about which the relay switches [m].
-  double hysteresis = 0.1e-3;       ///< h, half width of the relay's hysteresis [m].
-  double lead = 0.02;  ///< tau [s]: the depth is judged as it will be then; about the brakes' lag.
+  double reference_depth = 1.5e-3;  ///< Depth about which the relay switches [m].
+  double hysteresis = 0.1e-3;       ///< h, half width of the hysteresis [m].
+  double lead = 0.02;               ///< tau [s]: the depth is predicted over this time; about the brake lag.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = on_off_parameters;
     return member_table(member("reference_depth", &p::reference_depth, "m", range::finite),
@@ -27,41 +25,37 @@ struct on_off_parameters {
   }
 };
 
-/// For each wall a relay of the depth to come,
+/// Uses a relay of the predicted depth for each wall,
 ///
 ///     sigma = depth - reference_depth - tau n . (v - v_wall):   on if sigma > h, off if sigma < -h, else as
-///     before (off at first),
+///     before (initially off),
 ///
-/// so a handle that sinks is braked before it is too deep, and one that leaves is let go before it is out. On
-/// displays the approximated force whole, as no_direct_control does: one contact by force approximation,
-/// several by priorities. Brakes can only lead a handle back to the reference depth where the approximation
-/// pulls; a hand that leaves is free.
+/// so a sinking handle is braked before it is too deep, and a leaving one is released before it is out. "On"
+/// displays the whole approximated force like no_direct_control: one contact by force approximation, several
+/// by priorities. Brakes can only return a handle to the reference depth if the approximation pulls.
 ///
-/// A contact held by a slow virtual environment is carried on to the handle. Its relay is off until the
-/// touch; with the margin it is known by then, also at 20 Hz.
+/// A contact held by a slow virtual environment is extrapolated to the handle. Its relay is off until the
+/// touch. Supports any mechanism and needs only the state. Cost: that of the approximation.
 ///
-/// For any mechanism. Needs nothing but the state; cost: that of the approximation.
-///
-/// Reference: the switching line in the plane of error and rate, Tsypkin, Relay control systems, Cambridge
-/// University Press, 1984. Brakes that are on or off, with a hysteresis and without a force sensor, lead a
-/// walker along a path in Andreetto, Divan, Fontanelli, Palopoli, Passive robotic walker path following with
-/// bang-bang hybrid control paradigm, IEEE/RSJ Int. Conf. on Intelligent Robots and Systems, 2016: for small
-/// angles sigma / (tau |v|) is the error of its slope, with an approach length of tau |v|. Assumed: here the
-/// depth is judged a time ahead and not a length, so that the brakes' lag is met at any speed; a wall lets a
-/// hand leave, so there is no turn into it; the approximated force for a locked brake.
+/// Sources: switching line in the plane of error and rate, Tsypkin, Relay control systems, Cambridge
+/// University Press, 1984; brakes with on-off hysteresis and no force sensor that guide a walker along a
+/// path, Andreetto, Divan, Fontanelli, Palopoli, Passive robotic walker path following with bang-bang hybrid
+/// control paradigm, IEEE/RSJ Int. Conf. on Intelligent Robots and Systems, 2016. Differences: the depth is
+/// predicted over a time instead of a length, to match the brake lag at any speed; a wall lets the hand
+/// leave; the approximated force replaces a locked brake.
 struct on_off_control {
-  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
-  static constexpr bool needs_sensed_at = true;   ///< Carries a held contact on to where the handle is.
-  static constexpr int max_contacts = 8;          ///< Walls that it remembers at once.
+  static constexpr bool commands_torques = true;  ///< Required by TorqueLaw.
+  static constexpr bool needs_sensed_at = true;   ///< Extrapolates held contacts to the handle.
+  static constexpr int max_contacts = 8;          ///< Maximum number of walls.
 
-  /// Of one wall.
+  /// State of one wall.
   struct relay {
-    bool on = false;  ///< Its force is displayed.
+    bool on = false;  ///< True if the force is displayed.
   };
-  /// What it remembers.
+  /// Memory between cycles.
   struct memory {
-    contact_memory<relay, max_contacts> walls;  ///< The relay of each.
-    approximation_start start;                  ///< Where the next approximation begins.
+    contact_memory<relay, max_contacts> walls;  ///< One relay per wall.
+    approximation_start start;                  ///< Start of the next approximation.
   };
 
   on_off_parameters parameters = {};  ///< The constants.
@@ -106,7 +100,7 @@ struct on_off_control {
         .torque;
   }
 
-  /// Free space or a fault: all relays are off.
+  /// Switches all relays off.
   void released(memory& remembered, double) const noexcept { remembered.walls.clear(); }
 
  private:

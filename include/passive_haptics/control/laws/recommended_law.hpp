@@ -1,5 +1,4 @@
-/// @file
-/// The law for a device whose user has not chosen one.
+/// Default law of a device.
 #pragma once
 
 #include <passive_haptics/control/device_state.hpp>
@@ -18,14 +17,13 @@ template <class M, class B, class State>
 concept meets_needs_of_velocity_control = Dynamics<M> && HandForceState<State, M> && names_limit_and_lag<B>;
 }  // namespace detail
 
-/// velocity_direct_control, where the mechanism has Dynamics, the state a hand force and the brakes limits
-/// and lags. Else on_off_control, which needs none of them, with the lag of the slowest brake as its lead.
+/// Returns velocity_direct_control if the mechanism has Dynamics, the state a hand force, and the brakes
+/// limits and lags. Otherwise on_off_control, with the lag of the slowest brake as lead.
 ///
-/// Of all laws these two separate least from a wall (docs/results.md, table of laws and brakes): 0 times on
-/// each of eight kinds of brakes, and 0 to 8 times, where direct_control separates 5 to 25 times. In a corner
-/// of walls both hold what locked brakes hold (the same page). Without a force sensor only on_off_control
-/// does: a sensorless_controller lets brakes that hold go to find out where the hand wants to go. State: that
-/// which the loop gives the controller, `recommended_law<State>(mechanism, brakes)`.
+/// These two laws lose contact least often (docs/results.md, table of laws and brakes): on eight types of
+/// brakes velocity_direct_control 0 times, on_off_control 0 to 8 times, direct_control 5 to 25 times. In a
+/// corner, both hold as much as locked brakes; without a force sensor only on_off_control does. State: the
+/// state type of the controller, `recommended_law<State>(mechanism, brakes)`.
 template <class State, class M, class B>
 auto recommended_law(const M&, [[maybe_unused]] const B& brakes) {
   if constexpr (detail::meets_needs_of_velocity_control<M, B, State>) {
@@ -44,7 +42,7 @@ auto recommended_law(const M& mechanism, const B& brakes) {
   return passive_haptics::recommended_law<device_state<M>>(mechanism, brakes);
 }
 
-/// Why recommended_law<State> returns this law, in a sentence that names what a better one lacks.
+/// Reason for the choice of recommended_law<State>: lists the missing requirements of a better law.
 template <class State, class M, class B>
 constexpr std::string_view reason_for_law(const M&, const B&) {
   if constexpr (!Dynamics<M>)
@@ -57,7 +55,7 @@ constexpr std::string_view reason_for_law(const M&, const B&) {
   else return "velocity_direct_control: inertia, hand force, limits and lags of the brakes are available";
 }
 
-/// reason_for_law of a device with a force sensor, device_state<M>.
+/// reason_for_law for a device with a force sensor, device_state<M>.
 template <class M, class B>
 constexpr std::string_view reason_for_law(const M& mechanism, const B& brakes) {
   return passive_haptics::reason_for_law<device_state<M>>(mechanism, brakes);

@@ -1,5 +1,4 @@
-/// @file
-/// Section 4 with effects: the walls as without them, then the effects with what the brakes can do besides.
+/// Section 4 with effects: first the walls, then the effects with the remaining freedom of the brakes.
 #pragma once
 
 #include <passive_haptics/control/cycle_result.hpp>
@@ -15,7 +14,7 @@
 
 namespace passive_haptics {
 
-/// The one wall that is touched, and the effects.
+/// The single touched wall, and the effects.
 template <class Walls, class... Effects>
 auto as_single(const walls_and_effects<Walls, Effects...>& touched) {
   return walls_and_effects<decltype(as_single(touched.walls)), Effects...>{as_single(touched.walls),
@@ -29,33 +28,32 @@ struct beside_effects {
   using L = typename Setup::law_type;                                                  ///< Law.
   using T = typename M::scalar;                                                        ///< Scalar.
   using pipeline_of_walls = pipeline_of<Result, Setup, typename Touched::walls_type>;  ///< Without effects.
-  static constexpr int d = M::task_dimension;                                          ///< Task dimensions,
-  static constexpr int m = M::brake_count;                                             ///< brakes.
+  static constexpr int d = M::task_dimension;                                          ///< Task dimensions.
+  static constexpr int m = M::brake_count;                                             ///< Brakes.
   static_assert(ScalingLaw<L>,
                 "passive_haptics: with_effects needs a ScalingLaw, such as direct_control: a TorqueLaw "
                 "commands the brakes itself.");
 
-  /// What effects demand.
+  /// Demand of the effects.
   struct demands {
     task_vector<M> force = task_vector<M>::Zero();     ///< Fe [N].
-    joint_vector<M> torque = joint_vector<M>::Zero();  ///< Of effects on joints [N m].
+    joint_vector<M> torque = joint_vector<M>::Zero();  ///< Torques of effects on joints [N m].
   };
   /// From Fd to td.
   struct steps {
-    typename pipeline_of_walls::steps walls = {};  ///< Of the walls.
-    demands effects = {};                          ///< Of the effects.
-    saturated_torque<T, m> td = walls.td;          ///< For both.
+    typename pipeline_of_walls::steps walls = {};  ///< Walls.
+    demands effects = {};                          ///< Effects.
+    saturated_torque<T, m> td = walls.td;          ///< Walls and effects.
     status outcome = status::result_not_finite;    ///< ok, or why effects could not be added.
   };
 
-  const Setup& setup;                                   ///< Of the cycle.
-  const Touched& touched;                               ///< The walls, and the effects.
-  const pipeline_of_walls walls{setup, touched.walls};  ///< As without effects.
+  const Setup& setup;                                   ///< Setup of the cycle.
+  const Touched& touched;                               ///< Walls and effects.
+  const pipeline_of_walls walls{setup, touched.walls};  ///< Pipeline without effects.
 
-  /// Effects always may demand something.
-  static bool demands_force() { return true; }
+  static bool demands_force() { return true; }  ///< Effects may always demand something.
 
-  /// Section 4 for the walls, and beside their torques those of the effects (torques_beside).
+  /// Section 4 for the walls, then torques_beside for the effects.
   template <class Device>
   PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     steps done;
@@ -64,7 +62,7 @@ struct beside_effects {
     done.effects = demanded_by_effects(device);
     if (!all_finite(done.td.torque, done.effects.force, done.effects.torque)) return done;
     done.outcome = status::ok;
-    // Nothing to add, and the least drag already, but where each brake was cut alone
+    // Nothing to add. The drag is minimal unless each brake was limited separately
     const bool has_min_drag = !done.td.limited || setup.options.limits == saturation::keep_direction;
     if (has_min_drag && done.effects.force.isZero(T(0)) && done.effects.torque.isZero(T(0))) return done;
 
@@ -84,7 +82,7 @@ struct beside_effects {
     return done;
   }
 
-  /// The result of a cycle: of the walls as without effects, and what the effects demand.
+  /// Result of a cycle: that of the walls, and the demands of the effects.
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>& memory) const {
@@ -123,7 +121,6 @@ struct beside_effects {
     else return device.pose.transposed_transmission() * brake_torque(device.E, F);
   }
 
-  // The forces of effects, and the torques of joints
   template <class Device>
   demands demanded_by_effects(const Device& device) const {
     demands all;
@@ -143,7 +140,7 @@ struct beside_effects {
     return all;
   }
 
-  // What joints with a torque of their own shall have more: that, and what forces of effects want of them
+  // Additional torques of joints with an effect torque: that, and their share of effect forces
   template <class Device>
   auto effect_demand_of(const Device& device, const demands& wanted) const {
     effect_demand<T, d, m, M::dof> demand{wanted.force, device.pose.transposed_transmission(), wanted.torque};

@@ -1,4 +1,3 @@
-/// @file
 /// Section 4 of the paper: direct control of one wall.
 #pragma once
 
@@ -14,40 +13,39 @@ struct one_wall {
   using M = typename Setup::mechanism_type;    ///< Mechanism.
   using L = typename Setup::law_type;          ///< Law.
   using T = typename M::scalar;                ///< Scalar.
-  static constexpr int d = M::task_dimension;  ///< Task dimensions,
-  static constexpr int m = M::brake_count;     ///< brakes.
+  static constexpr int d = M::task_dimension;  ///< Task dimensions.
+  static constexpr int m = M::brake_count;     ///< Brakes.
   using steps = display_steps<M>;              ///< Fc, alpha, Fc', td.
 
-  const Setup& setup;    ///< Of the cycle.
+  const Setup& setup;    ///< Setup of the cycle.
   const Walls& touched;  ///< The wall.
 
-  /// What the wall demands; no force in free space. No member: beside a reference g++ 12 keeps it in memory.
+  /// Demand of the wall; no force in free space. Not a data member because g++ 12 would keep it in memory.
   desired_force<T, d> demanded() const {
     if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
     return desired_force_of<T>(touched[0]);
   }
 
-  /// Whether there is a force to display.
-  bool demands_force() const { return is_nonzero(demanded()); }
+  bool demands_force() const { return is_nonzero(demanded()); }  ///< True if there is a force to display.
 
   /// Section 4.
   template <class Device>
   PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     const auto Fd = demanded();
-    // 1. Fc: Fd itself, or the nearest force that the brakes can make with Fc . n = |Fd|
+    // 1. Fc: Fd itself, or the nearest producible force with Fc . n = |Fd|
     const auto Fc = Fd.magnitude * form_of<M>::nearest(device, Fd, setup.options.min_cosine, memory.start);
-    // 2. alpha: how much of it is displayed (12)
+    // 2. alpha: the displayed share (12)
     const T alpha = setup.law.scale(
         contact_situation<T, d>{Fd.direction, Fd.magnitude, outward(Fd, device.v), device.hand_force});
-    // 3. Fc': what leaves nothing of the resultant force normal to the wall
+    // 3. Fc': leaves no resultant force normal to the wall
     const auto Fc_scaled = alpha * Fc;
-    // 4. td: the torques that make it, within the brakes' limits, which a law may want before alpha
+    // 4. td: its torques within the brakes' limits, which some laws apply before alpha
     if constexpr (saturates_before_scaling<L>)
       return {Fc, alpha, Fc_scaled, alpha * limited(Fc.torque, device)};
     else return {Fc, alpha, Fc_scaled, limited(Fc_scaled.torque, device)};
   }
 
-  /// The result of a cycle.
+  /// Result of a cycle.
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>&) const {
@@ -64,7 +62,7 @@ struct one_wall {
   }
 
  private:
-  // F of td: a share of Fc', unless each brake was cut by itself
+  // F of td: a multiple of Fc' unless each brake was limited separately
   template <class Device>
   vector<T, d> commanded_force(const Device& device, const steps& done) const {
     if (!done.td.limited) return done.Fc_scaled.force;

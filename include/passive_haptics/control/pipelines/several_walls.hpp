@@ -1,6 +1,4 @@
-/// @file
-/// Section 4 for several touched walls: each keeps its own Fd and alpha, and one set of torques meets them in
-/// order of priority (force/torques/contact_forces.hpp).
+/// Section 4 for several touched walls, each with its own Fd and alpha.
 #pragma once
 
 #include <passive_haptics/control/cycle_result.hpp>
@@ -16,52 +14,51 @@
 
 namespace passive_haptics {
 
-/// Several walls. Steps 1 and 3 are one: what can be displayed of several forces depends on each one's alpha.
+/// Combines steps 1 and 3 (contact_forces), because the displayable forces depend on each alpha.
 template <class Result, class Setup, class Walls>
 struct several_walls {
   using M = typename Setup::mechanism_type;         ///< Mechanism.
   using L = typename Setup::law_type;               ///< Law.
   using T = typename M::scalar;                     ///< Scalar.
-  static constexpr int d = M::task_dimension;       ///< Task dimensions,
-  static constexpr int m = M::brake_count;          ///< brakes.
-  static constexpr int capacity = Walls::capacity;  ///< Walls at most.
-  using force = typename form_of<M>::force;         ///< With the torques that make it.
+  static constexpr int d = M::task_dimension;       ///< Task dimensions.
+  static constexpr int m = M::brake_count;          ///< Brakes.
+  static constexpr int capacity = Walls::capacity;  ///< Maximum number of walls.
+  using force = typename form_of<M>::force;         ///< Force with its torques.
   static_assert(!saturates_before_scaling<L>,
                 "passive_haptics: a law that saturates before scaling takes one wall at a time; give this "
                 "scene a law without saturates_before_scaling (control/control_law.hpp).");
 
-  /// alpha of each wall, and which are met before the others.
+  /// alpha and priority of each wall.
   struct scales {
     vector<T, capacity> leaving = vector<T, capacity>::Zero();               ///< n_j . v of wall j [m/s].
-    vector<T, capacity> alpha = vector<T, capacity>::Ones();                 ///< Of wall j.
-    std::array<bool, static_cast<std::size_t>(capacity)> has_priority = {};  ///< Left, and the law gives way.
+    vector<T, capacity> alpha = vector<T, capacity>::Ones();                 ///< alpha of wall j.
+    std::array<bool, static_cast<std::size_t>(capacity)> has_priority = {};  ///< Left under direct control.
   };
   /// From Fd_j to td.
   struct steps {
     scales scale;            ///< 2
-    vector<T, m> signs;      ///< Of the brakes; for n > d once they have settled.
+    vector<T, m> signs;      ///< Brake signs; settled ones for n > d.
     force_map<T, d, m> map;  ///< F = G t.
-    torque_box<T, m> box;    ///< Torques that the brakes can make.
-    force Fc_scaled;         ///< 1 and 3: the force that meets all alpha_j Fd_j.
+    torque_box<T, m> box;    ///< Torques of the brakes.
+    force Fc_scaled;         ///< 1 and 3: the force nearest to all alpha_j Fd_j.
     saturated_torque<T, m> td = {vector<T, m>::Zero(), false};  ///< 4
   };
 
-  const Setup& setup;                                ///< Of the cycle.
+  const Setup& setup;                                ///< Setup of the cycle.
   const Walls& touched;                              ///< The walls.
-  const int governing = governing_contact(touched);  ///< The one that demands most; -1 if there is none.
+  const int governing = governing_contact(touched);  ///< Wall with the maximum demand; -1 if there is none.
 
-  /// What wall j demands.
-  desired_force<T, d> Fd(int j) const { return desired_force_of<T>(touched[j]); }
+  desired_force<T, d> Fd(int j) const { return desired_force_of<T>(touched[j]); }  ///< Demand of wall j.
 
-  /// Whether one of them demands a force.
+  /// True if a wall demands a force.
   bool demands_force() const { return governing >= 0 && is_nonzero(Fd(governing)); }
 
   /// Section 4.
   template <class Device>
   PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
-    // 2. alpha_j: how much of what each wall demands is displayed (12), and which walls come first
+    // 2. alpha_j: displayed shares (12), and priorities
     const scales scale = scales_of(device);
-    // 1. and 3. Fc': the force nearest to all alpha_j Fd_j that the brakes can make within their limits
+    // 1. and 3. Fc': the force within the brakes' limits that is nearest to all alpha_j Fd_j
     force Fc_scaled = {};
     const demand_list demands = demands_of(scale);
     const vector<T, m> signs = form_of<M>::template signs<capacity>(
@@ -70,14 +67,14 @@ struct several_walls {
     const auto map = form_of<M>::map(device.pose, device.E);
     const auto box = passive_haptics::torque_box_of(signs, device.brakes);
     find_force(Fc_scaled, demands, map, box, form_of<M>::units(signs, device.brakes));
-    // 4. td: its torques, which are within the limits but for the rounding of a product
+    // 4. td: its torques, within the limits except for rounding of a product
     return {scale,     signs,
             map,       box,
             Fc_scaled, passive_haptics::within_limits(Fc_scaled.torque, device.brakes, setup.options.limits)};
   }
 
-  /// The result of a cycle. Its classes and alpha are those of the wall that demands most, display is
-  /// exact where each wall gets all that it demands, and each has a report.
+  /// Result of a cycle, with a report per wall. Classes and alpha are those of the wall with the maximum
+  /// demand; display is exact if all demands are met.
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>&) const {
@@ -118,7 +115,7 @@ struct several_walls {
     return all;
   }
 
-  // What the walls demand: alpha_j |Fd_j|, the count of them
+  // Demands alpha_j |Fd_j|, and their number
   struct demand_list {
     std::array<contact_demand<T, d>, static_cast<std::size_t>(capacity)> all;
     int count = 0;
@@ -134,7 +131,6 @@ struct several_walls {
     return demands;
   }
 
-  // The force that gives each wall alpha_j |Fd_j|, in order of priority
   template <class Units>
   void find_force(force& F, const demand_list& demands, const force_map<T, d, m>& map,
                   const torque_box<T, m>& box, Units units) const {
@@ -144,7 +140,6 @@ struct several_walls {
     F.torque = met.torque;
   }
 
-  // ok, or why this is no command
   status verdict(const steps& done) const {
     vector<T, capacity> magnitude = vector<T, capacity>::Zero();
     for (int j = 0; j < touched.size(); ++j) magnitude[j] = Fd(j).magnitude;
@@ -155,8 +150,8 @@ struct several_walls {
     return all_finite(done.map.G) ? status::ok : status::pose_undefined;
   }
 
-  // Fc before alpha and limits, exact where each wall gets all that it demands. Near a singular pose rounding
-  // decides what brakes without limits could do: then it is what is commanded
+  // Fc before alpha and limits, exact if each wall gets its whole demand. If rounding near a singular pose
+  // puts it outside the cone, the commanded force is returned
   template <class Device>
   force unscaled_force(const Device& device, const steps& done) const {
     const vector<T, d> n = Fd(governing).direction;
@@ -182,7 +177,7 @@ struct several_walls {
     return F;
   }
 
-  // Whether Fc' is Fc: no wall's force is scaled or comes first, no limit is met
+  // True if Fc' = Fc: no scale, priority or limit is active
   bool is_whole(const steps& done) const {
     bool whole = true;
     for (int j = 0; j < touched.size(); ++j)

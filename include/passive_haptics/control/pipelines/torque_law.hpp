@@ -1,5 +1,4 @@
-/// @file
-/// Section 4 under a TorqueLaw: the torques that the law demands, made what the brakes can do.
+/// Section 4 under a TorqueLaw: its torques, as far as the brakes can produce them.
 #pragma once
 
 #include <passive_haptics/control/cycle_result.hpp>
@@ -12,36 +11,36 @@
 
 namespace passive_haptics {
 
-/// Torques of a law, which sees all walls by itself.
+/// Torques of a law, which receives all walls.
 template <class Result, class Setup, class Walls>
 struct torques_of_law {
   using M = typename Setup::mechanism_type;    ///< Mechanism.
   using L = typename Setup::law_type;          ///< Law.
   using T = typename M::scalar;                ///< Scalar.
-  static constexpr int d = M::task_dimension;  ///< Task dimensions,
-  static constexpr int m = M::brake_count;     ///< brakes.
+  static constexpr int d = M::task_dimension;  ///< Task dimensions.
+  static constexpr int m = M::brake_count;     ///< Brakes.
 
   /// From walls to td.
   struct steps {
-    vector<T, m> wanted;                         ///< By the law; 0 for a brake that would have to drive.
-    saturated_torque<T, m> td;                   ///< Each within its limit.
-    [[no_unique_address]] law_memory<L> memory;  ///< What the law will remember if the cycle ends well.
+    vector<T, m> wanted;        ///< Demand of the law; 0 for a brake that would have to drive.
+    saturated_torque<T, m> td;  ///< Limited separately.
+    [[no_unique_address]] law_memory<L> memory;  ///< New memory of the law, kept if the cycle succeeds.
   };
 
-  const Setup& setup;                                   ///< Of the cycle.
-  const Walls& touched;                                 ///< The walls.
-  const int governing = governing_contact(touched);     ///< The one that demands most; -1 if there is none.
-  const desired_force<T, d> Fd = force_of_governing();  ///< What it demands.
+  const Setup& setup;                                ///< Setup of the cycle.
+  const Walls& touched;                              ///< The walls.
+  const int governing = governing_contact(touched);  ///< Wall with the maximum demand; -1 if there is none.
+  const desired_force<T, d> Fd = force_of_governing();  ///< Its demand.
 
-  /// Whether there is a force to display, or soon will be: a law with a margin gets walls before the touch.
+  /// True if there is a force to display, or a wall within the margin of the law.
   bool demands_force() const { return is_nonzero(Fd) || is_near(); }
 
-  /// The law in place of steps 1 to 3. Then 4, where each torque is cut alone, as the law has chosen each.
+  /// Steps 1 to 3 by the law, then step 4 for each brake separately.
   template <class Device>
   PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     steps done{{}, {}, memory.law};
     done.wanted = torques_wanted(device, done.memory);
-    if (all_finite(done.wanted)) {  // else a fault of the law, also where it would be released
+    if (all_finite(done.wanted)) {  // otherwise a fault of the law, even for released brakes
       done.wanted = form_of<M>::without_driving(done.wanted, device.s);
       [[maybe_unused]] const auto off = passive_haptics::brakes_off(device.s, device.brakes);
       unrolled<m>([&](auto i) {
@@ -52,7 +51,7 @@ struct torques_of_law {
     return done;
   }
 
-  /// The result of a cycle: of the force that the law's torques make before the limits.
+  /// Result of a cycle, for the force of the law's torques before the limits.
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>& memory) const {
@@ -87,7 +86,6 @@ struct torques_of_law {
   }
 
  private:
-  // Whether a wall is nearer than the law's margin
   bool is_near() const {
     if constexpr (has_margin<L, std::remove_cvref_t<decltype(setup.brakes)>>)
       return !touched.empty() && touched[governing].stiffness > 0 &&
@@ -103,7 +101,7 @@ struct torques_of_law {
     return check_contacts<T>(touched);
   }
 
-  // All contacts; those that are touched alone, where a law with a margin does not take as many
+  // All contacts, or only the touched ones if these are too many for the law
   decltype(auto) walls_of_law() const {
     if constexpr (Walls::capacity > max_contacts<L>) {
       if (touched.size() <= max_contacts<L>) return Walls(touched);
@@ -116,11 +114,11 @@ struct torques_of_law {
     }
   }
 
-  // No force in free space, nor before the touch
+  // No force in free space or before the touch
   desired_force<T, d> force_of_governing() const {
     if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
     desired_force<T, d> force = desired_force_of<T>(touched[governing]);
-    force.magnitude = std::max(force.magnitude, T(0));  // NaN stays
+    force.magnitude = std::max(force.magnitude, T(0));  // keeps NaN
     return force;
   }
 
@@ -138,8 +136,7 @@ struct torques_of_law {
     }
   }
 
-  // F = G t of the law's torques, for n > d once they have settled. At a singular pose that is the part that
-  // can be observed. Exact where it is Fd, approximate where it has a component along Fd
+  // F = G t of the law's torques. Exact if F = Fd, approximate if F has a component along Fd
   template <class Device>
   void find_force(typename form_of<M>::force& F, const Device& device,
                   [[maybe_unused]] const law_memory<L>& memory) const {
@@ -153,7 +150,6 @@ struct torques_of_law {
                                                             : display_class::none;
   }
 
-  // Whether the brakes could display Fd
   template <class Device>
   bool can_be_displayed(const Device& device) const {
     approximation_start start;

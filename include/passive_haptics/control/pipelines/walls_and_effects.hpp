@@ -1,5 +1,4 @@
-/// @file
-/// Input and result of a cycle with effects beside its walls.
+/// Input and result of a cycle with effects in addition to walls.
 #pragma once
 
 #include <passive_haptics/control/step_result.hpp>
@@ -11,16 +10,16 @@
 
 namespace passive_haptics {
 
-/// The result of a cycle with effects. Walls: of the contacts.
+/// Result of a cycle with effects. Walls: contacts.
 template <class M, class Walls>
 struct step_result_with_effects : step_result_for<M, Walls> {
-  /// Fe, what the effects want at the end effector [N], base frame.
+  /// Desired force Fe of the effects at the end effector [N], base frame.
   task_vector<M> effect_force = task_vector<M>::Zero();
-  /// What effects on joints, such as end stops, want of the joints [N m].
+  /// Desired joint torques of effects on joints, such as end stops [N m].
   joint_vector<M> effect_torque = joint_vector<M>::Zero();
-  /// Desired torques of the brakes for the walls, as without effects [N m].
+  /// Desired brake torques for the walls, as without effects [N m].
   brake_vector<M> torque_for_walls = brake_vector<M>::Zero();
-  /// Desired torques of the brakes that effects add [N m]: capacity_i is the size of the sum of both.
+  /// Additional brake torques for the effects [N m]: capacity_i is the magnitude of the sum.
   brake_vector<M> torque_for_effects = brake_vector<M>::Zero();
 };
 
@@ -39,14 +38,14 @@ concept has_dimension_other_than = requires { requires E::dimension != D; };
 
 }  // namespace detail
 
-/// The walls that are touched, and the effects. Walls: contacts, or a reference to them.
+/// Touched walls and effects. Walls: contacts, or a reference to them.
 template <class Walls, class... Effects>
 struct walls_and_effects {
   using walls_type = std::remove_cvref_t<Walls>;           ///< Contacts.
-  static constexpr bool has_effects = true;                ///< For the pipeline beside_effects.
-  static constexpr int dimension = walls_type::dimension;  ///< d
-  static constexpr int capacity = walls_type::capacity;    ///< Most walls at once.
-  /// What a cycle returns.
+  static constexpr bool has_effects = true;                ///< Selects the pipeline beside_effects.
+  static constexpr int dimension = walls_type::dimension;  ///< Task dimensions d.
+  static constexpr int capacity = walls_type::capacity;    ///< Maximum number of walls.
+  /// Result of a cycle.
   template <class M>
   using result_type = step_result_with_effects<M, walls_type>;
 
@@ -59,15 +58,12 @@ struct walls_and_effects {
   static_assert((!detail::has_dimension_other_than<Effects, dimension> && ...),
                 "passive_haptics: an effect's dimension must be the scene's.");
 
-  Walls walls;                                    ///< Touched.
-  const detail::effects_of<Effects...>& effects;  ///< Beside them.
+  Walls walls;                                    ///< Touched walls.
+  const detail::effects_of<Effects...>& effects;  ///< Effects.
 
-  /// Walls.
-  int size() const { return walls.size(); }
-  /// True where no wall is touched.
-  bool empty() const { return walls.empty(); }
-  /// Wall j.
-  decltype(auto) operator[](int j) const { return walls[j]; }
+  int size() const { return walls.size(); }                    ///< Number of walls.
+  bool empty() const { return walls.empty(); }                 ///< True if no wall is touched.
+  decltype(auto) operator[](int j) const { return walls[j]; }  ///< Wall j.
 };
 
 }  // namespace passive_haptics

@@ -1,5 +1,4 @@
-/// @file
-/// What is known of the hand's force without a force sensor.
+/// Estimate of the hand force without a force sensor.
 #pragma once
 
 #include <passive_haptics/core/status.hpp>
@@ -7,25 +6,21 @@
 
 namespace passive_haptics {
 
-/// A hand force and how far it may be off: Fh = force + G t for some torques |t_i| <= unknown_torque_i.
-///
-/// A brake that holds makes whatever torque keeps it at rest, so what the hand does to it is known only up to
-/// the torque that it could make.
+/// A hand force and its uncertainty: Fh = force + G t for some torques |t_i| <= unknown_torque_i. A holding
+/// brake may have any torque up to its strength, so the hand torque on it is only known up to that.
 template <class M>
 struct hand_force_estimate {
-  using scalar = typename M::scalar;  ///< Scalar of the mechanism.
+  using scalar = typename M::scalar;  ///< Scalar type.
 
-  /// Fh [N], base frame, if brakes at rest make no torque.
-  task_vector<M> force = task_vector<M>::Zero();
-  /// Torques [N m] >= 0 that brakes at rest may make; 0 for brakes that slip or are released.
+  task_vector<M> force = task_vector<M>::Zero();  ///< Fh [N], base frame, if brakes at rest have no torque.
+  /// Possible torques [N m] >= 0 of brakes at rest; 0 for brakes that slip or are released.
   brake_vector<M> unknown_torque = brake_vector<M>::Zero();
-  /// G (d x m) [N per N m]: the force at the end effector that a brake's torque makes.
+  /// G (d x m) [N per N m]: force at the end effector per brake torque.
   brake_matrix<M> generators = brake_matrix<M>::Zero();
-  /// ok; state_not_finite, time_not_rising, pose_undefined or singular_jacobian, then force is zero and
-  /// nothing is known.
+  /// ok; or state_not_finite, time_not_rising, pose_undefined or singular_jacobian, with zero force.
   status outcome = status::ok;
 
-  /// By how much n . force may be off [N] for a unit direction n.
+  /// Uncertainty of n . force [N] for a unit direction n.
   scalar half_width(const task_vector<M>& n) const {
     return (generators.transpose() * n).cwiseAbs().dot(unknown_torque);
   }

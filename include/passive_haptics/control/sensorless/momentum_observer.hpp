@@ -1,5 +1,4 @@
-/// @file
-/// The hand's force from the motion it causes: a generalised-momentum observer for devices with brakes.
+/// Generalised-momentum observer of the hand force, for devices with brakes.
 #pragma once
 
 #include <passive_haptics/brake/signs.hpp>
@@ -21,9 +20,8 @@ namespace passive_haptics {
 /// Constants of a momentum_observer.
 struct momentum_observer_parameters {
   double gain = 100;         ///< K [1/s]: the estimate is 1 / K late, by two lags of 1 / (2 K).
-  double max_period = 0.02;  ///< After a longer pause between two states the observer starts anew [s].
+  double max_period = 0.02;  ///< The observer restarts after a longer pause between two states [s].
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = momentum_observer_parameters;
     return member_table(member("gain", &p::gain, "1/s", range::positive),
@@ -31,29 +29,28 @@ struct momentum_observer_parameters {
   }
 };
 
-/// Estimates the hand's joint torques tau = J^T Fh by the momentum p = M qd, pd = tau + T^T t + Md qd - c.
-/// Over a period h in which the momentum changes,
+/// Estimates tau = J^T Fh from the momentum p = M qd, pd = tau + T^T t + Md qd - c. Its mean over a period h,
 ///
 ///     h tau_mean = (M0 + M1) (qd1 - qd0) / 2 + h (c0 + c1) / 2 - h T^T t_mean
 ///
-/// goes through two first-order lags, rd = 2 K (s - r), sd = 2 K (tau - s), exactly where tau is constant
-/// over the period; no acceleration is measured. (One lag of 1 / K is as late but noisier. Of a hand's 0.74 N
-/// along a wall, at 8192 counts a turn and rates low-passed at 50 Hz, it was off by 0.43 N in simulation, two
-/// lags by 0.10 N). A brake that slips all the period one way makes t_mean = -sgn(w) times its strength,
-/// which follows its capacity with its lag. One that is at rest, or turned round, is taken to make none and
-/// its strength is what may be missing, lagged like r: so the lagged joint torque of the hand is r + T^T t
-/// with |t_i| <= unknown_torque_i, always.
+/// passes through two first-order lags, rd = 2 K (s - r), sd = 2 K (tau - s), exact for constant tau; no
+/// acceleration is measured. (One lag of 1 / K has the same delay but more noise: an error of 0.43 N instead
+/// of 0.10 N for a hand force of 0.74 N along a wall, simulated with 8192 counts per revolution and rates
+/// low-passed at 50 Hz.) A brake that slips one way throughout the period has t_mean = -sgn(w) times its
+/// strength, the lagged capacity. For a brake that rests or reverses, t_mean = 0, and its strength, lagged
+/// like r, is the uncertainty. The lagged hand torque is therefore always r + T^T t with |t_i| <=
+/// unknown_torque_i.
 ///
-/// The force is that of r by the dynamically consistent inverse: for n > d a hand that also drives the
-/// self-motion directly is seen as if it did not. Starts at r = 0 with all strengths unknown. What the model
-/// leaves out (friction, cables, errors of M and of the brakes) is taken for the hand's.
+/// The force is that of r by the dynamically consistent inverse; for n > d this ignores hand torques on the
+/// self-motion. Starts with r = 0 and unknown strengths. Unmodelled effects (friction, cables, errors of M
+/// and of the brakes) appear as hand force.
 ///
-/// Errors: see hand_force_estimate::outcome; the next good state starts anew. Pure apart from its own memory;
-/// never allocates. Cost: a Cholesky of n x n, an orthogonal decomposition of n x d. Reference: De Luca,
-/// Mattone, Actuator failure detection and isolation using generalized momenta, IEEE Int. Conf. on Robotics
-/// and Automation, 2003, 634-639; De Luca, Albu-Schaeffer, Haddadin, Hirzinger, Collision detection and safe
-/// reaction with the DLR-III lightweight manipulator arm, IROS 2006, 1623-1630. Force of n > d: Khatib 1987.
-/// Assumed: the trapezoidal rule for c and Md, and all that concerns brakes.
+/// Errors: see hand_force_estimate::outcome; the next valid state restarts the observer. Does not allocate.
+/// Cost: a Cholesky decomposition of n x n, an orthogonal decomposition of n x d. Sources: De Luca, Mattone,
+/// Actuator failure detection and isolation using generalized momenta, IEEE Int. Conf. on Robotics and
+/// Automation, 2003, 634-639; De Luca, Albu-Schaeffer, Haddadin, Hirzinger, Collision detection and safe
+/// reaction with the DLR-III lightweight manipulator arm, IROS 2006, 1623-1630; for n > d Khatib 1987.
+/// Assumptions: the trapezoidal rule for c and Md, and the treatment of brakes.
 template <class M>
 class momentum_observer {
   static_assert(is_mechanism<M, explain>());
@@ -62,15 +59,14 @@ class momentum_observer {
                 "(mechanism/dynamics.hpp).");
 
  public:
-  using scalar = typename M::scalar;             ///< Scalar of the mechanism.
-  using estimate_type = hand_force_estimate<M>;  ///< What it finds.
+  using scalar = typename M::scalar;             ///< Scalar type.
+  using estimate_type = hand_force_estimate<M>;  ///< Type of the estimate.
 
-  /// Throws std::invalid_argument with the text of validate(brakes) or validate(p).
+  /// Throws std::invalid_argument if validate(brakes) or validate(p) returns an error.
   momentum_observer(M mechanism, const brakes_of<M>& brakes, const momentum_observer_parameters& p = {})
       : mechanism_(std::move(mechanism)), brakes_(require_valid(brakes)), p_(require_valid(p)) {}
 
-  /// The state now, and the capacities [N m] that were commanded since the state before. Only
-  /// time, q and qd of the state are read.
+  /// Updates the estimate from time, q and qd. capacity: commanded since the previous state [N m].
   template <class State>
     requires DeviceState<State, M>
   const estimate_type& update(const State& state, const brake_vector<M>& capacity) noexcept {
@@ -108,11 +104,10 @@ class momentum_observer {
     return estimate_;
   }
 
-  /// The estimate of the last update.
-  const estimate_type& estimate() const { return estimate_; }
-  /// r [N m or N]: the hand's joint torques if brakes at rest make none.
+  const estimate_type& estimate() const { return estimate_; }  ///< The estimate of the last update.
+  /// r [N m or N]: the hand's joint torques if brakes at rest have no torque.
   const joint_vector<M>& joint_torques() const { return residual_.twice; }
-  /// Forgets all but the brakes' strengths.
+  /// Forgets everything except the brake strengths.
   void reset() {
     start_anew();
     time_ = {};
@@ -128,7 +123,7 @@ class momentum_observer {
     matrix<scalar, n, n> mass = matrix<scalar, n, n>::Zero();
   };
 
-  // Behind one lag of 1 / (2 K) and behind two.
+  // After one lag of 1 / (2 K), and after two.
   template <class Vector>
   struct twice_lagged {
     Vector once = Vector::Zero(), twice = Vector::Zero();
@@ -159,7 +154,7 @@ class momentum_observer {
     return all_finite(now.bias, now.w, now.mass) ? status::ok : status::pose_undefined;
   }
 
-  // Mean over the period of a strength that follows T_b dtau/dt + tau = u: u - T_b (tau1 - tau0) / h
+  // Mean over the period of a strength with T_b dtau/dt + tau = u: u - T_b (tau1 - tau0) / h
   brake_vector<M> mean_strength(double time, const brake_vector<M>& capacity) {
     brake_vector<M> u, mean, before;
     unrolled<m>([&](auto i) {
@@ -174,7 +169,7 @@ class momentum_observer {
       const bool lags = started_ && h > 0 && brakes_.time_constant[i] > scalar(0);
       mean[i] = lags ? u[i] - brakes_.time_constant[i] * (after - before[i]) / static_cast<scalar>(h) : after;
     });
-    // A period that is almost none divides a rounding
+    // A very short period would amplify rounding
     return mean.cwiseMax(scalar(0)).cwiseMin(brakes_.torque_limit);
   }
 

@@ -1,5 +1,4 @@
-/// @file
-/// Detects that a hand pulls away from a wall or an effect, for a device without a force sensor.
+/// Detection of a hand that pulls away from a wall or an effect, without a force sensor.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -9,12 +8,11 @@ namespace passive_haptics {
 
 /// Constants of a release_probe.
 struct release_probe_parameters {
-  double probe_period = 0.3;  ///< Brakes that have been at rest for this long are probed [s].
-  double probe_time = 0.12;   ///< A probe that nothing moves ends after this [s]; several lags of the brakes.
-  /// Least motion of the handle that counts [m]; over the encoders' resolution.
+  double probe_period = 0.3;  ///< Brakes are probed after resting for this long [s].
+  double probe_time = 0.12;   ///< Maximum duration of a probe without motion [s]; several brake lags.
+  /// Minimum motion of the handle that counts [m]; above the encoder resolution.
   double motion_threshold = 20e-6;
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = release_probe_parameters;
     return member_table(member("probe_period", &p::probe_period, "s", range::not_negative),
@@ -23,39 +21,37 @@ struct release_probe_parameters {
   }
 };
 
-/// The longest time [s] from a hand's reversal until the brakes are released for good: a probe or a stop that
-/// is under way, the rest before the next, and that. It holds for a pull that overcomes what the brakes still
-/// hold at the end of a probe, limit exp(-probe_time / T_b), soon enough to move the handle by
-/// motion_threshold within it. After it the handle moves out as the hand pulls it.
+/// Maximum time [s] from a reversal of the hand until the brakes are released: a probe or stop in progress,
+/// the wait for the next probe, and that probe. Holds if the pull overcomes the remaining brake torques,
+/// limit exp(-probe_time / T_b), in time to move the handle by motion_threshold during the probe.
 inline double max_release_time(const release_probe_parameters& p) {
   return p.probe_period + 2 * p.probe_time;
 }
 
-/// Without a force sensor a brake at rest cannot distinguish a push from a pull. So, while the handle touches
-/// a wall or is held by an effect, brakes that have been at rest for probe_period are released (their own lag
-/// is the ramp) until the handle moves:
+/// Probes brakes at rest, because without a force sensor a push cannot be distinguished from a pull. While
+/// the handle touches a wall or is held by an effect, brakes that have been at rest for probe_period are
+/// released (their lag is the ramp) until the handle moves:
 ///
 ///     watching --rest of probe_period--> probing --moved in, or probe_time--> watching
 ///                                          \--moved out--> released --moved in again, or no wall--> watching
 ///
-/// Each probe costs a hand that presses some depth, about that which it moves in a lag of the brakes. The
-/// state machine alone, of no mechanism; sensorless_controller runs it. Never allocates.
+/// Each probe lets a pressing hand sink by about its motion during one brake lag. This is only the state
+/// machine, independent of a mechanism; sensorless_controller uses it. Does not allocate.
 template <int D>
 class release_probe {
  public:
-  /// Phase of a probe, by what is commanded.
+  /// Phase of a probe.
   enum class phase {
-    watching,  ///< What the law commands.
+    watching,  ///< The law commands the brakes.
     probing,   ///< Brakes that held are released.
     released,  ///< All brakes are released.
   };
 
-  release_probe() = default;  ///< With the default parameters.
-  /// Throws std::invalid_argument with the text of validate(p).
+  release_probe() = default;  ///< Default parameters.
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit release_probe(const release_probe_parameters& p) : p_(require_valid(p)) {}
 
-  /// One cycle in contact: time [s], handle x [m], the direction n of the force that holds (the wall's
-  /// normal), and for how long some brake has been at rest [s].
+  /// One cycle in contact: time [s], handle x [m], direction n of the holding force, time at rest [s].
   phase update(double time, const point<D>& x, const point<D>& n, double rest) noexcept {
     const double moved = n.dot(x - origin_);  // outwards
     if (phase_ == phase::watching) {
@@ -71,11 +67,9 @@ class release_probe {
     return phase_;
   }
 
-  /// A cycle without a wall, or a fault.
-  void clear() { phase_ = phase::watching; }
+  void clear() { phase_ = phase::watching; }  ///< Call in a cycle without a wall, or with a fault.
 
-  /// As of the last update.
-  phase now() const { return phase_; }
+  phase now() const { return phase_; }  ///< Phase of the last update.
 
  private:
   void begin(phase next, double time, const point<D>& x) {
@@ -86,8 +80,8 @@ class release_probe {
 
   release_probe_parameters p_;
   phase phase_ = phase::watching;
-  double since_ = 0;                    // when the phase began [s]
-  point<D> origin_ = point<D>::Zero();  // and where; when released, the farthest point out
+  double since_ = 0;                    // start of the phase [s]
+  point<D> origin_ = point<D>::Zero();  // its position; if released, the farthest point out
 };
 
 }  // namespace passive_haptics

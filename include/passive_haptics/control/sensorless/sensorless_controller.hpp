@@ -1,5 +1,4 @@
-/// @file
-/// A controller for a device without a force sensor, with laws that need a hand force.
+/// A controller for devices without a force sensor, with laws that need a hand force.
 #pragma once
 
 #include <passive_haptics/control/controller.hpp>
@@ -17,46 +16,43 @@ namespace passive_haptics {
 
 /// Constants of a sensorless_controller.
 struct sensorless_parameters {
-  momentum_observer_parameters observer = {};  ///< Of the estimate of the hand force.
-  release_probe_parameters probe = {};         ///< Of the search for hands that want to leave.
+  momentum_observer_parameters observer = {};  ///< For the hand force estimate.
+  release_probe_parameters probe = {};         ///< For probes of brakes that hold.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = sensorless_parameters;
     return member_table(member("observer", &p::observer), member("probe", &p::probe));
   }
 };
 
-/// A controller with a law that gets the force of a momentum_observer instead of a sensor's, and which probes
-/// brakes that hold (release_probe), so that no hand stays locked inside a wall or an effect.
+/// A controller with a law that uses the force of a momentum_observer, and with probes of holding brakes
+/// (release_probe), so that no hand is locked inside a wall or an effect.
 ///
-/// A brake at rest has sign 0 and may hold either way, as for any state without a hand force. Of all forces
-/// that the estimate allows, the law gets the one by which the hand does to brakes at rest what it last did
-/// to them: while a brake holds, the hand's force on it cannot be observed. Probes test the value that is
-/// kept. Laws that choose by which way a brake at rest is pushed do not get it. A law does not see that its
-/// brakes are probed: after a probe the command is higher than the law's, until the brakes make what the law
-/// counts on.
+/// A brake at rest has sign 0 and may hold either way, as for any state without a hand force. While a brake
+/// holds, the hand torque on it cannot be observed. The law therefore gets the possible hand force for which
+/// the torques on brakes at rest are nearest to the last observed ones, and probes test these values. After a
+/// probe, commands are raised until the brakes have the torques that the law assumes.
 ///
-/// A hand that presses without moving along sinks by its probes: 2 N by 0.1 to 0.3 mm/s if the rates are
-/// exact, and more with coarse encoders (docs/guide/control.md). In a corner each wall sinks so: there
-/// on_off_control, which needs no hand force, holds (docs/results.md).
+/// A hand that presses without sliding sinks because of the probes: at 2 N by 0.1 to 0.3 mm/s with exact
+/// rates, more with coarse encoders (docs/guide/control.md), and in a corner at each wall. There
+/// on_off_control holds, which needs no hand force (docs/results.md).
 ///
-/// With effects, a round of probes tests the walls and, for each brake, the effects; a probe of one releases
-/// nothing that holds for the other. A hand of 1 to 3 N that pushes on creeps by 0.1 to 0.6 mm/s; one that
-/// pulls back is free within max_release_time. Limits (docs/guide/effects.md): end stops and friction creep
-/// more, and a hand that leaves a wall obliquely may need several rounds, with and without effects.
+/// With effects, a round of probes tests the walls and, for each brake, the effects; each probe releases only
+/// the torques of its cause. A hand that pushes with 1 to 3 N creeps by 0.1 to 0.6 mm/s; one that pulls back
+/// is free within max_release_time. Limits (docs/guide/effects.md): end stops and friction creep more, and a
+/// hand that leaves a wall obliquely may need several rounds.
 ///
-/// For mechanisms that model Dynamics. Errors: as controller; a cycle that is not later than the one before
-/// ends with status::time_not_rising under any law. Cost: that of the law and of the observer.
+/// For mechanisms that model Dynamics. Errors: as for controller; a cycle that is not later than the previous
+/// one returns status::time_not_rising under any law. Cost: the law and the observer.
 template <class M, class S, class L>
 class sensorless_controller {
  public:
   using mechanism_type = M;                                              ///< The mechanism.
   using options_type = step_options<typename M::scalar>;                 ///< Options of a step.
-  using result_type = step_result_for<M, typename S::contacts_type>;     ///< What a cycle decides.
-  using probe_phase = typename release_probe<M::task_dimension>::phase;  ///< What the probe does.
+  using result_type = step_result_for<M, typename S::contacts_type>;     ///< Result of a cycle.
+  using probe_phase = typename release_probe<M::task_dimension>::phase;  ///< Phase of the probes.
 
-  /// Throws std::invalid_argument with the text of validate(brakes), of validate(p), or of the law's own.
+  /// Throws std::invalid_argument if the brakes, the parameters or the law are invalid.
   sensorless_controller(M mechanism, const brakes_of<M>& brakes, S scene, L law = {},
                         const sensorless_parameters& p = {}, const options_type& options = options_type())
       : observer_(mechanism, brakes, p.observer),
@@ -66,7 +62,7 @@ class sensorless_controller {
     effect_probes_.fill(probe_);
   }
 
-  /// One control cycle. Only time, q and qd of the state are read.
+  /// One control cycle. Only time, q and qd of the state are used.
   template <class State>
   result_type operator()(const State& state) noexcept {
     const auto& hand = observer_.update(state, last_capacity_);
@@ -85,9 +81,9 @@ class sensorless_controller {
     return result;
   }
 
-  /// The estimate of the last cycle, and how far it may be off.
+  /// The estimate of the last cycle, with its uncertainty.
   const hand_force_estimate<M>& hand() const { return observer_.estimate(); }
-  /// Phase of the probes in the last cycle: probing if one of them is, else released if one is.
+  /// Phase of the probes in the last cycle: probing if any probe is, else released if any is.
   probe_phase probing() const {
     if (any_probe_is(probe_phase::probing)) return probe_phase::probing;
     return any_probe_is(probe_phase::released) ? probe_phase::released : probe_phase::watching;
@@ -100,10 +96,8 @@ class sensorless_controller {
     expected_ = actual_ = brake_lag_model();
     forget_rest();
   }
-  /// The scene, for example to move a wall of it before a cycle.
-  S& scene() { return controller_.scene(); }
-  /// The mechanism.
-  const M& mechanism() const { return controller_.mechanism(); }
+  S& scene() { return controller_.scene(); }  ///< The scene, e.g. to move one of its walls between cycles.
+  const M& mechanism() const { return controller_.mechanism(); }  ///< The mechanism.
 
  private:
   using scalar = typename M::scalar;
@@ -111,17 +105,17 @@ class sensorless_controller {
   static constexpr bool has_effects = requires(const result_type& r) { r.torque_for_effects; };
   static constexpr double make_up_time = 0.002;  // [s]: two cycles at 1 kHz
   static constexpr double negligible = 1e-3;     // of a brake's limit
-  static constexpr double max_slip_time = 0.02;  // of a brake that rests but for moments: it creeps [s]
+  static constexpr double max_slip_time = 0.02;  // of a brake that only creeps, so counts as at rest [s]
 
   const brakes_of<M>& brakes() const { return controller_.brakes(); }
 
-  // The estimate does not show which way a brake at rest is pushed: no torque of it decides a sign.
+  // The torque dead band is infinite because the estimate does not contain the sign of a push at rest.
   static brakes_of<M> with_unknown_pushes(brakes_of<M> brakes) {
     brakes.torque_dead_band.setConstant(std::numeric_limits<typename M::scalar>::max());
     return brakes;
   }
 
-  // Fh [N] with E^T Fh as near as may be to what it was while brakes slipped
+  // Fh [N] with E^T Fh as near as possible to the last value while brakes slipped
   task_vector<M> believed_force(const hand_force_estimate<M>& hand, const joint_vector<M>& q) {
     if (hand.outcome != status::ok) {
       assumed_hand_torque_.setZero();
@@ -142,8 +136,7 @@ class sensorless_controller {
     });
   }
 
-  // A law counts on what its brakes make. After a probe, commands are raised until the brakes are back at the
-  // torque that the law assumes.
+  // Raises commands after a probe, until the brakes have the torques that the law assumes.
   void make_up(result_type& result) {
     unrolled<m>([&](auto i) {
       const scalar lag = brakes().time_constant[i], limit = brakes().torque_limit[i], u = result.capacity[i];
@@ -166,8 +159,7 @@ class sensorless_controller {
     else return false;
   }
 
-  // One round probes all that holds: the walls together, and for each brake the effects. A probe releases the
-  // torque for its cause and watches the handle along the force of that torque.
+  // One round probes the walls together, and the effects for each brake, along the released force.
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {
     const double rest = update_rest(time, passive_haptics::brake_rates(mechanism(), q, qd));
     const auto x = as<double>(mechanism().position(q));
@@ -201,18 +193,18 @@ class sensorless_controller {
     if (round_ended) rest_since_.setConstant(time);
   }
 
-  // The part that a probe leaves of a brake's torque, as far as its sign allows
+  // Keeps the unprobed part of a brake torque, as far as its sign permits
   void hold(int i, scalar torque, result_type& result) {
     result.capacity[i] = result.signs[i] * torque > scalar(0) ? scalar(0) : std::abs(torque);
     result.torque[i] = -result.signs[i] * result.capacity[i];
     counted_on_[i] = std::min(counted_on_[i], static_cast<double>(result.capacity[i]));
   }
 
-  // For how long some brake has been at rest [s]; 0 during a round of probes
+  // Time that some brake has been at rest [s]; 0 during a round of probes
   double update_rest(double time, const brake_vector<M>& w) {
     double rest = 0;
     unrolled<m>([&](auto i) {
-      // Whatever the command is now: a law that switches at rest holds by the mean of its commands
+      // Regardless of the current command: a law that switches at rest holds by the mean of its commands
       if (!slips(w[i], brakes().rate_dead_band[i])) rested_[i] = time;
       if (time - rested_[i] > max_slip_time || rest_since_[i] > time) rest_since_[i] = time;
       rest = std::max(rest, time - rest_since_[i]);
@@ -234,17 +226,17 @@ class sensorless_controller {
 
   momentum_observer<M> observer_;
   controller<M, S, L> controller_;
-  release_probe<d> probe_;  // of walls
+  release_probe<d> probe_;  // for walls
   std::array<release_probe<d>, std::size_t(has_effects ? m : 0)> effect_probes_{};
-  brake_lag_model expected_, actual_;  // what brakes would make of its commands, and what they make
-  vector<double, m> counted_on_ = vector<double, m>::Zero();  // torques that the law counts on [N m]
+  brake_lag_model expected_, actual_;  // torques of the unprobed and of the actual commands
+  vector<double, m> counted_on_ = vector<double, m>::Zero();  // torques that the law assumes [N m]
   brake_vector<M> last_capacity_ = brake_vector<M>::Zero();
-  brake_vector<M> assumed_hand_torque_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
+  brake_vector<M> assumed_hand_torque_ = brake_vector<M>::Zero();  // hand torque on each brake [N m]
   vector<double, m> rest_since_ = vector<double, m>::Constant(std::numeric_limits<double>::infinity());
-  vector<double, m> rested_ =  // when each was at rest last [s]
+  vector<double, m> rested_ =  // last time of each brake at rest [s]
       vector<double, m>::Constant(-std::numeric_limits<double>::infinity());
   std::array<bool, std::size_t(m)> probed_{};       // released by the probe of walls
-  brake_vector<M> side_ = brake_vector<M>::Zero();  // of the last torque for effects
+  brake_vector<M> side_ = brake_vector<M>::Zero();  // sign of the last torque for effects
 };
 
 }  // namespace passive_haptics

@@ -1,5 +1,4 @@
-/// @file
-/// The torques on brakes at rest for each cycle, where the mechanism's inertia is known.
+/// Exact torques on brakes at rest, for mechanisms with known inertia.
 #pragma once
 
 #include <passive_haptics/brake/at_rest/hand_torque_at_rest.hpp>
@@ -11,28 +10,25 @@
 
 namespace passive_haptics {
 
-/// A device_state whose brakes at rest are known to be pushed by certain torques.
+/// A device_state with known torques on brakes at rest.
 template <class M>
 struct device_state_at_rest : device_state<M> {
-  /// What the hand, gravity and the other brakes do to each brake at rest [N m or N]. That of others is not
-  /// read.
+  /// Torque of the hand, gravity and other brakes on each brake at rest [N m or N]; else unused.
   brake_vector<M> hand_torque = brake_vector<M>::Zero();
 };
 
-/// Gives the states of a control loop the exact torques on brakes at rest (exact_hand_torque), by which a
-/// cycle finds their signs, what the passive constraint leaves of their torques, and its account. Without it
-/// a cycle takes th = E^T Fh, the static rule of the paper:
+/// Adds the exact torques on brakes at rest (exact_hand_torque) to the states of a control loop. A cycle uses
+/// them instead of the static rule of the paper, th = E^T Fh:
 ///
 ///     ph::torques_at_rest rest(arm, brakes);
 ///     ...
 ///     const auto result = control(rest.update(state, capacity));
 ///     capacity = result.capacity;
 ///
-/// The brakes that slip make what their lag has made of the capacities so far. Pure apart from the memory of
-/// it; never throws or allocates. Errors: 0 for each brake where the state, the capacities or the pose is not
-/// finite. Cost: some 20 instructions a brake where none is at rest, else that of exact_hand_torque.
+/// Does not throw or allocate. Returns 0 if the state, the capacities or the pose is not finite. Cost: about
+/// 20 instructions per brake if none is at rest, else that of exact_hand_torque.
 ///
-/// B: any brakes with a rate_dead_band; without a time_constant they make a capacity at once.
+/// B: any brakes with a rate_dead_band; without a time_constant they have no lag.
 template <class M, class B = brakes_of<M>>
 class torques_at_rest {
   static_assert(are_brakes<B, M, explain>());
@@ -41,13 +37,12 @@ class torques_at_rest {
                 "(mechanism/dynamics.hpp).");
 
  public:
-  /// Throws std::invalid_argument with the text of check_brakes(brakes).
+  /// Throws std::invalid_argument if check_brakes(brakes) returns an error.
   torques_at_rest(M mechanism, const B& brakes) : mechanism_(std::move(mechanism)), brakes_(brakes) {
     require_no_error(passive_haptics::check_brakes(brakes));
   }
 
-  /// The state now with th. capacity: what was commanded [N m] since the state before; 0 for the
-  /// first.
+  /// Adds th to the current state. capacity: commanded since the previous state [N m]; 0 at first.
   device_state_at_rest<M> update(const device_state<M>& state, const brake_vector<M>& capacity) noexcept {
     device_state_at_rest<M> now{state};
     if (!all_finite(state.q, state.qd, state.hand_force, state.time, capacity)) return now;
@@ -64,8 +59,7 @@ class torques_at_rest {
     return now;
   }
 
-  /// Forgets what the brakes make.
-  void reset() { lag_ = {}; }
+  void reset() { lag_ = {}; }  ///< Forgets the brake torques.
 
  private:
   brake_vector<M> time_constants() const {

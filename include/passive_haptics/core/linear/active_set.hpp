@@ -1,4 +1,3 @@
-/// @file
 /// Projection onto a cone of half-spaces by an active set.
 #pragma once
 
@@ -12,21 +11,18 @@
 
 namespace passive_haptics::detail {
 
-/// Lawson and Hanson's non-negative least squares, argmin |B mu - f|, mu >= 0, over an explicit thin QR of
-/// the active columns; the residual is the nearest point of the cone.
-///
-/// Begins with the half-spaces that were active before, if f violates the same ones as it did then, else with
-/// a guess: where f jumped, the guess is better. Where these hold f back and violate no other, which is the
-/// rule, that was it; else exchanges follow, at most 6 Columns. Reference: Lawson, Hanson, Solving Least
-/// Squares Problems (1974), ch. 23.
+/// Lawson and Hanson's non-negative least squares, argmin |B mu - f|, mu >= 0, with an explicit thin QR of
+/// the active columns. The residual is the nearest point of the cone. If f violates the same half-spaces as
+/// in the previous call, the search starts with the previous active set; otherwise it starts with a guess. At
+/// most 6 Columns exchanges follow. Source: Lawson, Hanson, Solving Least Squares Problems (1974), ch. 23.
 template <class T, int Rows, int Columns>
 class active_set {
  public:
-  /// Of { p : B^T p <= 0 } and f.
+  /// The problem of { p : B^T p <= 0 } and f, which must outlive this object.
   [[gnu::always_inline]] active_set(const matrix<T, Rows, Columns>& B, const vector<T, Rows>& f)
       : b_(B.data()), f_(f.data()), qr_(column::load(f_)) {}
 
-  /// The nearest point to f; `start` is left for a neighbouring problem.
+  /// Returns the nearest point to f and updates `start` for a neighbouring problem.
   PASSIVE_HAPTICS_FLATTEN half_space_projection<T, Rows, Columns> nearest(half_space_start& start) {
     prepare();
     const auto products = products_with(qr_.residual());
@@ -59,23 +55,21 @@ class active_set {
       return passive_haptics::products(b, b);
     });
     square.store(square_);
-    // What is so short that its square is no number any more restricts nothing
+    // A column with an underflowing square imposes no constraint
     select(square > std::numeric_limits<T>::min(), T(1) / square, T(0)).store(weight_);
   }
 
-  // B^T x
   [[gnu::always_inline]] by_half_space products_with(const column& x) const {
     return horizontal_add<T, Columns>([&](int j) { return passive_haptics::products(half_space(j), x); });
   }
 
-  // The squares of x's parts beyond the half-spaces that may enter; from B^T x.
+  // Squared distances of x beyond the half-spaces that may enter, from B^T x.
   [[gnu::always_inline]] by_half_space squares_beyond(const by_half_space& products) const {
     const by_half_space x = max(by_half_space(T(0)), products);
     return by_half_space::load(weight_) * x * x;
   }
 
-  // Squared violations of the residual r, and the threshold below which they are rounding; infinite for an r
-  // that is rounding itself.
+  // Squared violations by the residual r, and their rounding threshold (infinite if r is only rounding).
   [[gnu::always_inline]] by_half_space squares_beyond() const {
     return squares_beyond(products_with(qr_.residual()));
   }
@@ -85,7 +79,7 @@ class active_set {
     return rr > vanishing_ ? tolerance * tolerance * rr : std::numeric_limits<T>::infinity();
   }
 
-  // Whether the members hold f back, and the residual violates no other half-space; with mu.
+  // True if mu > 0 and the residual violates no other half-space. Computes mu.
   [[gnu::always_inline]] bool is_nearest() {
     qr_.solve(mu_);
     if (!all_positive(mu_)) return false;
@@ -93,8 +87,7 @@ class active_set {
     return !(max_value(squares_beyond()) > square_of(1));
   }
 
-  // The half-space that the residual violates by the largest angle, if by more than so many roundings; else
-  // -1.
+  // The half-space that the residual violates by the largest angle above this many roundings, or -1.
   int most_violated(int roundings) const {
     if (qr_.size() == max_rank) return -1;
     const auto worst = find_max(squares_beyond());
@@ -105,9 +98,8 @@ class active_set {
     for (; set != 0 && qr_.size() < max_rank; set &= set - 1) append(std::countr_zero(set));
   }
 
-  // All that the residual violates, one after the other, without a look at the signs of mu. The products with
-  // the residual are carried along, so that the next half-space need not wait for the residual. They show
-  // violations to rounding of |f|, not of |r|. From B^T f.
+  // Appends violated half-spaces regardless of the signs of mu. Updates the products with the residual
+  // instead of waiting for it; their error is rounding of |f|, not of |r|.
   [[gnu::always_inline]] void guess(by_half_space products) {
     T along[std::size_t(max_rank)][std::size_t(Columns)];  // of v_k and b_j
     while (qr_.size() < max_rank) {
@@ -121,7 +113,7 @@ class active_set {
     }
   }
 
-  // Half-space j, with a coefficient to be found; refused for now if it depends on the members.
+  // Appends half-space j. Returns false if it depends on the members.
   template <class... Along>
   [[gnu::always_inline]] bool append(int j, Along&&... along_b) {
     const int k = qr_.size();
@@ -138,7 +130,7 @@ class active_set {
     return all_are;
   }
 
-  // From mu, the least squares of the members. Not inlined: rare.
+  // Starts from mu, the least-squares solution of the members. Not inlined because it is rare.
   [[gnu::noinline]] void exchange() {
     while (!all_positive(mu_)) {
       int last = qr_.size() - 1;
@@ -148,7 +140,7 @@ class active_set {
     }
     half_space_set refused = 0;
     for (int exchange = 0; exchange < 6 * Columns; ++exchange) {
-      // Half-spaces that depend on each other to a few roundings may take turns for ever
+      // A higher threshold prevents cycling between half-spaces that are almost dependent
       const int roundings = exchange < 3 * Columns ? 1 : 6;
       for (int j = 0; j < Columns; ++j)
         weight_[j] = ((members_ | refused) >> j & 1u) == 0 && square_[j] > std::numeric_limits<T>::min()
@@ -158,14 +150,14 @@ class active_set {
       if (entering < 0) return;
       const half_space_set before = members_;
       nth(mu_, qr_.size()) = T(0);
-      // A newcomer that leaves at once and alone was chosen by rounding
+      // A half-space that enters and leaves immediately was selected by rounding
       if (append(entering)) settle();
       if (members_ != before) refused = 0;
       else refused |= 1u << entering;
     }
   }
 
-  // Takes member `out` from the set; those behind it are appended anew.
+  // Removes member `out` and appends the members after it again.
   void remove(int out) {
     const int size = qr_.size();
     const auto old_member = member_;
@@ -178,8 +170,7 @@ class active_set {
     }
   }
 
-  // Moves mu to the least squares of the members, and out of the set those that would become negative on the
-  // way.
+  // Moves mu to the least-squares solution of the members and removes members that would become negative.
   void settle() {
     coefficients y;
     for (qr_.solve(y); !all_positive(y); qr_.solve(y)) {
@@ -202,11 +193,11 @@ class active_set {
   const T* b_;  // B by columns
   const T* f_;
   qr qr_;
-  T vanishing_;                                                 // |r|^2 that is rounding
+  T vanishing_;                                                 // |r|^2 of rounding errors
   T square_[std::size_t(Columns)];                              // |b_j|^2
-  alignas(16) T weight_[std::size_t(Columns)];                  // 1 / |b_j|^2 of those that may enter, else 0
+  alignas(16) T weight_[std::size_t(Columns)];                  // 1 / |b_j|^2 if b_j may enter, else 0
   std::array<int, static_cast<std::size_t>(max_rank)> member_;  // columns in the set, in the order of the QR
-  coefficients mu_;                                             // of the members
+  coefficients mu_;
   half_space_set members_ = 0;
 };
 

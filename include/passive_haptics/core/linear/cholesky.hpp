@@ -1,4 +1,3 @@
-/// @file
 /// Cholesky decomposition of a small symmetric matrix.
 #pragma once
 
@@ -8,12 +7,9 @@
 
 namespace passive_haptics {
 
-/// A = L D L^T with a unit lower triangle L and a diagonal D, from the lower triangle of a symmetric positive
-/// definite A.
-///
-/// Not pivoted. Where A is singular to the last digit, the unknown of a pivot of zero is 0 in solve(); NaN in
-/// A makes the solutions NaN. In plain loops: Eigen's decompositions take the compiler some seconds for each
-/// size. Cost: N^3/6.
+/// Decomposition A = L D L^T of a symmetric positive definite A, from its lower triangle, with a unit lower
+/// triangular L and a diagonal D. Without pivoting. If A is singular, solve() sets the unknown of a zero
+/// pivot to 0; NaN in A gives NaN. Plain loops compile much faster than Eigen's decompositions. Cost: N^3/6.
 template <class T, int N>
 class cholesky {
  public:
@@ -29,14 +25,14 @@ class cholesky {
     }
   }
 
-  /// True if all pivots are > 0; false for NaN.
+  /// True if all pivots are positive; false for NaN.
   bool is_positive_definite() const {
     bool is_positive = true;
     for (int i = 0; i < N; ++i) is_positive = is_positive && pivot_[i] > T(0);
     return is_positive;
   }
 
-  /// A^-1 B.
+  /// Returns A^-1 B.
   template <int C>
   matrix<T, N, C> solve(const matrix<T, N, C>& B) const {
     matrix<T, N, C> X = lower_solve(B);
@@ -49,7 +45,7 @@ class cholesky {
     return X;
   }
 
-  /// (L D^1/2)^-1 B, whose square is B^T A^-1 B; NaN or infinite where A is not positive definite.
+  /// Returns X = (L D^1/2)^-1 B, so X^T X = B^T A^-1 B. NaN or infinite if A is not positive definite.
   template <int C>
   matrix<T, N, C> half_solve(const matrix<T, N, C>& B) const {
     matrix<T, N, C> X = lower_solve(B);
@@ -60,7 +56,7 @@ class cholesky {
     return X;
   }
 
-  /// (L D^1/2)^T x; its square is x^T A x. A positive definite.
+  /// Returns y = (L D^1/2)^T x, so |y|^2 = x^T A x, for a positive definite A.
   vector<T, N> half_product(const vector<T, N>& x) const {
     vector<T, N> y = x;
     for (int i = 0; i < N; ++i) {
@@ -71,7 +67,7 @@ class cholesky {
   }
 
  private:
-  T over_pivot(T x, int i) const { return pivot_[i] == T(0) ? x * T(0) : x / pivot_[i]; }  // a NaN stays
+  T over_pivot(T x, int i) const { return pivot_[i] == T(0) ? x * T(0) : x / pivot_[i]; }  // keeps NaN
 
   // L^-1 B
   template <int C>
@@ -84,7 +80,7 @@ class cholesky {
     return X;
   }
 
-  matrix<T, N, N> l_;  // below the diagonal
+  matrix<T, N, N> l_;  // strictly below the diagonal
   vector<T, N> pivot_;
 };
 

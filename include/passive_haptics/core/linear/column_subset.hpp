@@ -1,5 +1,4 @@
-/// @file
-/// Shortest solutions of linear equations on a set of their columns.
+/// Least-norm solutions of linear equations on a subset of their columns.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -12,18 +11,17 @@
 
 namespace passive_haptics::detail {
 
-/// V_S = L Q by rows for a set S of the columns of V (D x M); R = L^-1 V of all columns and z = L^-1 f. Then
-/// u = R^T z is the shortest solution of V_S x = f on S, and V^T l with its multipliers l elsewhere.
-///
-/// By Gram-Schmidt with pivoted rows, reorthogonalised where digits were lost: no Gram matrix, so u is as
-/// sharp as the equations are. A row of which rounding is left is dropped. Cost: 4 M D^2 flops.
+/// Factorisation V_S = L Q by rows for a set S of the columns of V (D x M), with R = L^-1 V for all columns
+/// and z = L^-1 f. On S, u = R^T z is the least-norm solution of V_S x = f; elsewhere it is V^T l with the
+/// multipliers l. Uses Gram-Schmidt with pivoted rows and reorthogonalisation after cancellation. u is as
+/// accurate as the equations. Rows that are only rounding are dropped. Cost: 4 M D^2 flops.
 template <class T, int D, int M>
 class column_subset {
  public:
-  using per_column = lanes<T, M>;                      ///< A number for each column of V.
-  static constexpr std::size_t rows = std::size_t(D);  ///< Of V.
+  using per_column = lanes<T, M>;                      ///< One number per column of V.
+  static constexpr std::size_t rows = std::size_t(D);  ///< Rows of V.
 
-  /// Of V by rows and f. in_set: 1 for the columns in S, else 0.
+  /// V by rows and f. in_set: 1 for the columns in S, else 0.
   [[gnu::always_inline]] column_subset(const per_column (&V)[rows], const vector<T, D>& f,
                                        const per_column& in_set) {
     unrolled<D>([&](auto k) {
@@ -36,10 +34,10 @@ class column_subset {
     unrolled<D>([&](auto k) { take(k, in_set); });
   }
 
-  /// False if f has a part, beyond rounding, that V_S cannot make.
+  /// False if f has a component outside the range of V_S, beyond rounding.
   bool reaches(T tolerance) const { return unreached_ <= tolerance; }
 
-  /// u, and the size of the terms that it is made of.
+  /// Returns u and the magnitude of its terms, for rounding bounds.
   [[gnu::always_inline]] std::pair<per_column, per_column> solution() const {
     per_column u{}, size{};
     unrolled<D>([&](auto k) {
@@ -50,7 +48,7 @@ class column_subset {
     return {u, size};
   }
 
-  /// The shortest solution of V_S x = g for another g; of columns outside of S what does not matter.
+  /// Returns the least-norm solution of V_S x = g for another g. Undefined outside S.
   [[gnu::always_inline]] per_column solution_of(const vector<T, D>& g) const {
     per_column u{};
     T z[rows];
@@ -72,7 +70,7 @@ class column_subset {
     return dot(weight * a, b);
   }
 
-  // Row l less its part along row k
+  // Subtracts from row l its projection on row k
   [[gnu::always_inline]] void project(int l, int k, const per_column& in_set) {
     const T h = product(in_set, r_[k], r_[l]) * inverse_[k];
     r_[l] -= h * r_[k];
@@ -80,7 +78,7 @@ class column_subset {
     lower_[l][k] += h;
   }
 
-  // Row k is the next of Q: those below lose their part along it
+  // Makes row k the next row of Q and removes its component from those below
   [[gnu::always_inline]] void take(int k, const per_column& in_set) {
     int longest = k;
     for (int l = k + 1; l < D; ++l) longest = rest_[l] > rest_[longest] ? l : longest;
@@ -110,11 +108,11 @@ class column_subset {
 
   per_column r_[rows];
   T z_[rows];
-  T rest_[rows], before_[rows];  // |r_k|^2 on S, now and when its digits were still whole
+  T rest_[rows], before_[rows];  // |r_k|^2 on S, now and at the last orthogonalisation
   T inverse_[rows];
-  T lower_[rows][rows] = {};           // L below its diagonal of ones
-  int equation_[rows];                 // that row k came from
-  T total_ = T(0), unreached_ = T(0);  // |V_S|^2; the largest z of a row that was dropped
+  T lower_[rows][rows] = {};           // L below its unit diagonal
+  int equation_[rows];                 // original index of row k
+  T total_ = T(0), unreached_ = T(0);  // |V_S|^2; the largest |z| of a dropped row
 };
 
 }  // namespace passive_haptics::detail

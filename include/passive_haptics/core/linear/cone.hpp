@@ -1,4 +1,3 @@
-/// @file
 /// Projection onto a polyhedral cone given by half-spaces.
 #pragma once
 
@@ -8,18 +7,17 @@
 
 namespace passive_haptics {
 
-/// Nearest point p of the cone { p : B^T p <= 0 } to f.
+/// Returns the nearest point p of the cone { p : B^T p <= 0 } to f.
 ///
-/// By Moreau's decomposition f = p + B mu with mu = argmin |B mu - f|, mu >= 0: a non-negative least-squares
-/// problem whose residual is p. No Gram matrix and no inverse, so p is feasible to rounding at any condition
-/// of B. Cones on the line, of one or two half-spaces in the plane (plane_cone.hpp) and of three in space
-/// (space_cone.hpp) take a closed form: exact to a few roundings of |f| however flat the cone is. Others take
-/// an active set (active_set.hpp): as exact as the condition of B allows. From three half-spaces on the
-/// search begins at `start`, and leaves there the start of the next cycle. A right start halves the time, a
-/// wrong one costs nothing to speak of. From any start p is the same to rounding.
+/// Moreau's decomposition f = p + B mu, mu = argmin |B mu - f|, mu >= 0, makes this a non-negative
+/// least-squares problem with residual p. Without a Gram matrix or an inverse, p is feasible to rounding at
+/// any condition number of B. One dimension, one or two half-spaces in the plane (plane_cone.hpp) and three
+/// in space (space_cone.hpp) are solved in closed form, to a few roundings of |f|. All others use an active
+/// set (active_set.hpp), with an accuracy limited by the condition number of B.
 ///
-/// Zero columns restrict nothing; parallel and dependent ones, f = 0 and f on a face are fine. B must be
-/// finite and f of moderate norm (normalise it first).
+/// From three half-spaces on, the search begins at `start` and stores the start for the next cycle there. A
+/// good start halves the time; the result does not depend on it, except for rounding. Zero, parallel and
+/// dependent columns are allowed. B must be finite and f of moderate norm (normalise it first).
 template <class T, int Rows, int Columns>
 half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T, Rows, Columns>& B,
                                                                  const vector<T, Rows>& f,
@@ -31,7 +29,7 @@ half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T,
   else return detail::active_set<T, Rows, Columns>(B, f).nearest(start);
 }
 
-/// Nearest point p of the cone { p : B^T p <= 0 } to f, without a start.
+/// As above, without a start.
 template <class T, int Rows, int Columns>
 half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T, Rows, Columns>& B,
                                                                  const vector<T, Rows>& f) {

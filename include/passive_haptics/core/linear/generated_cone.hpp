@@ -1,4 +1,3 @@
-/// @file
 /// Projection onto a cone given by its generators.
 #pragma once
 
@@ -10,28 +9,28 @@
 
 namespace passive_haptics {
 
-/// Nearest point of a cone { V x : x >= 0 }, from project_onto_generators.
+/// Nearest point of a cone { V x : x >= 0 }; see project_onto_generators.
 template <class T, int D, int M>
 struct generated_point {
-  vector<T, D> point = vector<T, D>::Zero();         ///< p = V x; f itself where f lies in the cone.
+  vector<T, D> point = vector<T, D>::Zero();         ///< p = V x; equal to f if f is in the cone.
   vector<T, M> coefficients = vector<T, M>::Zero();  ///< x >= 0, of least norm.
 };
 
 namespace detail {
 
-/// Where the nearest point lies.
+/// The face of the cone that contains the nearest point.
 template <class T, int D, int M>
 struct generated_face {
   using columns = lane_mask<T, M>;  ///< A set of generators.
-  bool is_shortest;                 ///< The coefficients are those of least norm.
-  columns basis;              ///< Independent generators that make p, and some that are parallel to one.
-  columns usable;             ///< All that lie in the same face.
-  vector<T, D> point;         ///< p
-  vector<T, M> coefficients;  ///< x of the basis; in the plane 0 where p = f.
+  bool is_shortest;                 ///< True if the coefficients have the least norm.
+  columns basis;                    ///< Independent generators of p; some may be parallel to one of them.
+  columns usable;                   ///< All generators in the same face.
+  vector<T, D> point;
+  vector<T, M> coefficients;  ///< x of the basis; 0 in the plane if p = f.
 };
 
-/// In the plane: f lies between its neighbours, the generators at the least angles to its left and right, or
-/// outside, nearest to that neighbour which is less than 90 degrees away. No lengths are compared.
+/// Planar case: f lies between its neighbours, the generators at the smallest angles to its left and right,
+/// or it is outside and nearest to the neighbour less than 90 degrees away. No lengths are compared.
 template <class T, int M>
 [[gnu::always_inline]] inline generated_face<T, 2, M> face_of(const matrix<T, 2, M>& V,
                                                               const vector<T, 2>& f) {
@@ -39,7 +38,7 @@ template <class T, int M>
   using columns = lane_mask<T, M>;
   const per_column x = row(V, 0), y = row(V, 1), none(T(0));
   const per_column across = f[0] * y - f[1] * x, along = f[0] * x + f[1] * y;
-  // The angle a by 2 + (cos a) / (|cos a| + |sin a|), which falls from 3 to 1; NaN of a zero column
+  // Monotone in the angle a: 2 + (cos a) / (|cos a| + |sin a|), from 3 to 1; NaN for a zero column
   const per_column nearness = max(none, T(2) + along / (abs(across) + abs(along)));
   const per_column on_left = select(across >= none, nearness, none),
                    on_right = select(across < none, nearness, none);
@@ -55,7 +54,7 @@ template <class T, int M>
   const columns nearest = left > right ? on_left >= per_column(left) : on_right >= per_column(right);
   const vector<T, 2> v(sum(select(nearest, x, none)), sum(select(nearest, y, none)));
   const T square = v.squaredNorm(), share_of_f = v.dot(f) / square;
-  // Those that are parallel to the nearest share
+  // Generators parallel to the nearest one share its coefficient
   const per_column ahead = v[0] * x + v[1] * y, beside = v[0] * y - v[1] * x, squares = x * x + y * y;
   constexpr T parallel = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
   const columns share = (beside * beside <= parallel * square * squares) & (ahead > none);
@@ -67,7 +66,7 @@ template <class T, int M>
           .coefficients = select(share, of_each * ahead, none)};
 }
 
-/// x of an f between its neighbours in the plane.
+/// x for an f between its neighbours in the plane.
 template <class T, int M>
 vector<T, M> coefficients_between(const matrix<T, 2, M>& V, half_space_set neighbours,
                                   const vector<T, 2>& f) {
@@ -83,14 +82,14 @@ vector<T, M> coefficients_between(const matrix<T, 2, M>& V, half_space_set neigh
   return x;
 }
 
-/// In space and beyond: f less its nearest point is the projection of f on the polar cone { r : V^T r <= 0 },
-/// by non-negative least squares. The face is normal to r.
+/// Three or more dimensions: f minus its nearest point is the projection r of f on the polar cone { r : V^T r
+/// <= 0 }, by non-negative least squares. The face is normal to r.
 template <class T, int D, int M>
 [[gnu::always_inline]] inline generated_face<T, D, M> face_of(const matrix<T, D, M>& V,
                                                               const vector<T, D>& f) {
   using per_column = lanes<T, M>;
   using columns = lane_mask<T, M>;
-  // Three in space are solved in closed form, whose coefficients lose digits
+  // Three half-spaces in space have a closed form with less accurate coefficients
   constexpr bool loses_digits = D == 3 && M == 3;
   const auto polar = project_onto_half_spaces(V, f);
   const vector<T, D>& r = polar.point;
@@ -113,13 +112,10 @@ template <class T, int D, int M>
 
 }  // namespace detail
 
-/// Nearest point p of the cone { V x : x >= 0 } to f, D <= 3, and the x of least norm that makes p. Both are
-/// unique, and continuous in V and f. f must be of moderate norm; V finite, of any scale but where its
-/// squares are no numbers. Zero columns make nothing.
-///
-/// Where f is in the cone, p = f. Else p = f - r lies on a face, whose generators make it. Cost: one
-/// projection onto M half-spaces (in the plane M angles), and a least_norm where more columns can make p
-/// than it takes.
+/// Returns the nearest point p of the cone { V x : x >= 0 } to f, D <= 3, and the least-norm x with V x = p.
+/// Both are unique and continuous in V and f. f must be of moderate norm, V finite, and its squares must not
+/// overflow. Zero columns contribute nothing. Cost: one projection onto M half-spaces (in the plane M
+/// angles), and a least_norm if p has several representations.
 template <class T, int D, int M>
 PASSIVE_HAPTICS_FLATTEN generated_point<T, D, M> project_onto_generators(const matrix<T, D, M>& V,
                                                                          const vector<T, D>& f) {

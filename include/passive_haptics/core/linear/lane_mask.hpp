@@ -1,6 +1,4 @@
-/// @file
-/// The registers of lanes, the truths that a comparison of lanes gives, and what each of two lanes or truths
-/// has of the other.
+/// Registers, masks from comparisons of lanes, and exchanges between two lanes.
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
@@ -14,8 +12,7 @@
 namespace passive_haptics {
 namespace detail {
 
-// A register of T, 16 bytes as every x86-64 and ARM64 has: 2 doubles, 4 floats, or one number of another
-// size.
+// A 16-byte register, as on every x86-64 and ARM64: 2 doubles, 4 floats, or one other number.
 template <class T>
 struct packet_of {
   using type = T;
@@ -31,7 +28,7 @@ struct packet_of<float> {
 template <class T>
 inline constexpr int packet_width = sizeof(typename packet_of<T>::type) / sizeof(T);
 
-// What comparing two packets of T gives. In integers of 32 bits: g++ 12 would choose doubles one by one.
+// Result of comparing two packets, in 32-bit integers: with 64 bits g++ 12 selects doubles one by one.
 template <class T>
 struct truths_of {
   using type [[gnu::vector_size(16)]] = std::int32_t;
@@ -42,7 +39,7 @@ struct truths_of<T> {
   using type = bool;
 };
 
-// Bits of two packets: those of x where m is set, else those of y.
+// Bits of x if m is set, else of y.
 template <class Packet, class Bits>
 [[gnu::always_inline]] inline Packet merged(const Bits& m, const Packet& x, const Packet& y) {
   return bit_cast<Packet>((bit_cast<Bits>(x) & m) | (bit_cast<Bits>(y) & ~m));
@@ -54,14 +51,14 @@ template <class Packet>
 
 }  // namespace detail
 
-/// N truths: what a comparison of lanes gives.
+/// Mask of N lanes, the result of a comparison.
 template <class T, int N>
 struct lane_mask {
-  static constexpr int width = detail::packet_width<T>;       ///< Numbers of a register.
-  static constexpr int count = (N + width - 1) / width;       ///< Registers.
-  typename detail::truths_of<T>::type p[std::size_t(count)];  ///< All bits of a number set where it is true.
+  static constexpr int width = detail::packet_width<T>;       ///< Numbers per register.
+  static constexpr int count = (N + width - 1) / width;       ///< Number of registers.
+  typename detail::truths_of<T>::type p[std::size_t(count)];  ///< All bits of a true lane are set.
 
-  /// Truth i is bit i of a set.
+  /// Lane i is bit i of `set`.
   [[gnu::always_inline]] static lane_mask of(unsigned set) {
     lane_mask x;
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
@@ -80,13 +77,13 @@ struct lane_mask {
     return x;
   }
 
-  /// Truth i.
+  /// True if lane i is set.
   [[gnu::always_inline]] bool operator[](int i) const {
     if constexpr (width == 1) return p[i];
-    else return p[i / width][i % width * (4 / width)] < 0;  // its sign: shorter than all bits
+    else return p[i / width][i % width * (4 / width)] < 0;  // the sign: shorter than all bits
   }
 
-  /// Whether all truths are those of the other, also beyond the last.
+  /// Equality of all lanes, including the unused ones.
   [[gnu::always_inline]] friend bool operator==(const lane_mask& a, const lane_mask& b) {
     if constexpr (width == 1) {
       bool all = true;
@@ -100,19 +97,19 @@ struct lane_mask {
       return (h[0] | h[1]) == 0;
     }
   }
-  /// Both.
+  /// Logical and.
   [[gnu::always_inline]] friend lane_mask operator&(lane_mask a, const lane_mask& b) {
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { a.p[k] = a.p[k] & b.p[k]; });
     return a;
   }
-  /// One or both.
+  /// Logical or.
   [[gnu::always_inline]] friend lane_mask operator|(lane_mask a, const lane_mask& b) {
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { a.p[k] = a.p[k] | b.p[k]; });
     return a;
   }
 };
 
-/// (x_1, x_0): of each of two what the other one has. x: lanes or a mask.
+/// Returns (x_1, x_0). x: two lanes or a mask of two.
 template <class X>
 [[gnu::always_inline]] inline X swapped(X x) {
   if constexpr (X::width == 1) std::swap(x.p[0], x.p[1]);
@@ -123,7 +120,7 @@ template <class X>
   return x;
 }
 
-/// The first truth of two alone.
+/// Keeps the second lane only if the first is not set.
 template <class T>
 [[gnu::always_inline]] inline lane_mask<T, 2> first_only(lane_mask<T, 2> x) {
   using truths = typename detail::truths_of<T>::type;

@@ -1,12 +1,11 @@
-/// @file
-/// What lanes come to together: sums, truths, and products of small matrices and vectors.
+/// Reductions of lanes, and products of small matrices and vectors.
 #pragma once
 
 #include <passive_haptics/core/linear/lanes.hpp>
 
 namespace passive_haptics {
 
-/// x_0 + ... + x_{N-1}
+/// Sum of all lanes.
 template <class T, int N>
 T sum(const lanes<T, N>& x) {
   T all = x[0];
@@ -14,12 +13,12 @@ T sum(const lanes<T, N>& x) {
   return all;
 }
 
-/// x_0 y_0 + ... + x_{N-1} y_{N-1}, as a packet whose sum it is.
+/// x_0 y_0 + ... + x_{N-1} y_{N-1}, as a packet with this sum.
 template <class T, int N>
 [[gnu::always_inline]] inline auto products(const lanes<T, N>& x, const lanes<T, N>& y) {
   if constexpr (lanes<T, N>::count == 1) {
     return x.p[0] * y.p[0];
-  } else {  // two sums, neither of which waits for the other
+  } else {  // two independent sums
     typename lanes<T, N>::packet even = x.p[0] * y.p[0], odd = x.p[1] * y.p[1];
     unrolled<lanes<T, N>::count - 2>(
         [&](auto i) PASSIVE_HAPTICS_INLINE { (i % 2 == 0 ? even : odd) += x.p[i + 2] * y.p[i + 2]; });
@@ -27,7 +26,7 @@ template <class T, int N>
   }
 }
 
-/// x_0 y_0 + ... + x_{N-1} y_{N-1}
+/// Dot product.
 template <class T, int N>
 [[gnu::always_inline]] inline T dot(const lanes<T, N>& x, const lanes<T, N>& y) {
   const auto s = products(x, y);
@@ -36,7 +35,7 @@ template <class T, int N>
   else return (s[0] + s[2]) + (s[1] + s[3]);
 }
 
-/// N numbers, number j the sum over the packet f(j): added crosswise, in half of the instructions of N sums.
+/// Lane j is the sum over the packet f(j). Adds crosswise, with half the instructions of N sums.
 template <class T, int N, class F>
 [[gnu::always_inline]] inline lanes<T, N> horizontal_add(F&& f) {
   using packet = typename lanes<T, N>::packet;
@@ -61,7 +60,7 @@ template <class T, int N, class F>
   return a;
 }
 
-/// The least of x_0, ..., x_{N-1}.
+/// Minimum of all lanes.
 template <class T, int N>
 T min_value(const lanes<T, N>& x) {
   T low = x[0];
@@ -69,7 +68,7 @@ T min_value(const lanes<T, N>& x) {
   return low;
 }
 
-/// Whether it is true of some.
+/// True if any lane is set.
 template <class T, int N>
 bool any(const lane_mask<T, N>& x) {
   bool some = false;
@@ -77,7 +76,7 @@ bool any(const lane_mask<T, N>& x) {
   return some;
 }
 
-/// True of all lanes where it is true of some.
+/// Sets all lanes if any lane is set.
 template <class T, int N>
 [[gnu::always_inline]] inline lane_mask<T, N> any_of(const lane_mask<T, N>& x) {
   lane_mask<T, N> all;
@@ -92,7 +91,7 @@ template <class T, int N>
   return all;
 }
 
-/// Bit i is truth i.
+/// Bit i is lane i.
 template <class T, int N>
 [[gnu::always_inline]] inline unsigned bits(const lane_mask<T, N>& x) {
   using mask = lane_mask<T, N>;
@@ -100,12 +99,12 @@ template <class T, int N>
     unsigned all = 0;
     unrolled<N>([&](auto i) PASSIVE_HAPTICS_INLINE { all |= static_cast<unsigned>(x[i]) << i; });
     return all;
-  } else {  // the bits of all registers in one, and then of its numbers
+  } else {  // combines the registers first, then their lanes
     typename detail::truths_of<T>::type all{};
     unrolled<mask::count>([&](auto k) PASSIVE_HAPTICS_INLINE {
       const auto flag = [&](int part) PASSIVE_HAPTICS_INLINE {
         const int i = k * mask::width + part * mask::width / 4;
-        return i < N ? 1 << i : 0;  // what is beyond N is of no interest
+        return i < N ? 1 << i : 0;  // ignores lanes beyond N
       };
       all |= x.p[k] & typename detail::truths_of<T>::type{flag(0), flag(1), flag(2), flag(3)};
     });
@@ -117,7 +116,6 @@ template <class T, int N>
 
 namespace detail {
 
-// Integers of the size of T, and a register of them.
 template <class T>
 using integer_of = std::conditional_t<sizeof(T) == 8, long long, int>;
 template <class T>
@@ -125,7 +123,7 @@ struct integers_of {
   using type [[gnu::vector_size(16)]] = integer_of<T>;
 };
 
-// first, first + 1, ...: where a packet's numbers stand.
+// Indices first, first + 1, ... of the numbers of a packet.
 template <class T>
 [[gnu::always_inline]] inline auto places(int first) {
   return [&]<int... K>(std::integer_sequence<int, K...>) {
@@ -133,7 +131,7 @@ template <class T>
   }(std::make_integer_sequence<int, lanes<T, 1>::width>());
 }
 
-/// The largest of x >= 0; what is NaN counts as 0.
+/// Maximum of all lanes, for x >= 0; NaN counts as 0.
 template <class T, int N>
 [[gnu::always_inline]] inline T max_value(const lanes<T, N>& x) {
   typename lanes<T, N>::packet largest{};
@@ -149,14 +147,13 @@ template <class T, int N>
   }
 }
 
-/// The largest of a vector's numbers and where it stands.
 template <class T>
 struct max_entry {
   T value;
   int index;
 };
 
-// The index takes the place of the last five bits while they are compared.
+// The index temporarily replaces the last five bits.
 template <class T, int N>
 [[gnu::always_inline]] inline max_entry<T> max_of_marked(const lanes<T, N>& x) {
   using packet = typename lanes<T, N>::packet;
@@ -172,8 +169,7 @@ template <class T, int N>
   return {bit_cast<T>(bits & ~last_bits), static_cast<int>(bits & last_bits)};
 }
 
-/// The largest of x >= 0, to 64 roundings. Which one it is, no processor could predict, so there is no
-/// branch.
+/// Maximum of x >= 0 to 64 roundings, without a branch, which would be unpredictable.
 template <class T, int N>
 [[gnu::always_inline]] inline max_entry<T> find_max(const lanes<T, N>& x) {
   if constexpr (lanes<T, N>::width == 1) {
@@ -195,7 +191,7 @@ lanes<T, C> row(const matrix<T, R, C>& A, int i) {
   return lanes<T, C>([&](int j) PASSIVE_HAPTICS_INLINE { return apart(A(i, j)); });
 }
 
-/// A x
+/// Returns A x.
 template <class T, int R, int C>
 vector<T, R> times(const matrix<T, R, C>& A, const vector<T, C>& x) {
   const auto column = [&](int j) PASSIVE_HAPTICS_INLINE {
@@ -206,7 +202,7 @@ vector<T, R> times(const matrix<T, R, C>& A, const vector<T, C>& x) {
   return y;
 }
 
-/// A^T x
+/// Returns A^T x.
 template <class T, int R, int C>
 vector<T, C> transposed_times(const matrix<T, R, C>& A, const vector<T, R>& x) {
   lanes<T, C> y = row(A, 0) * apart(x[0]);
@@ -214,7 +210,7 @@ vector<T, C> transposed_times(const matrix<T, R, C>& A, const vector<T, R>& x) {
   return y;
 }
 
-/// A^T B
+/// Returns A^T B.
 template <class T, int R, int Columns, int C>
   requires(C > 1)
 matrix<T, Columns, C> transposed_times(const matrix<T, R, Columns>& A, const matrix<T, R, C>& B) {
@@ -223,7 +219,7 @@ matrix<T, Columns, C> transposed_times(const matrix<T, R, Columns>& A, const mat
   return AtB;
 }
 
-/// A B
+/// Returns A B.
 template <class T, int R, int K, int C>
 matrix<T, R, C> times(const matrix<T, R, K>& A, const matrix<T, K, C>& B) {
   matrix<T, R, C> AB;
@@ -234,7 +230,7 @@ matrix<T, R, C> times(const matrix<T, R, K>& A, const matrix<T, K, C>& B) {
   return AB;
 }
 
-/// A B where one is diagonal.
+/// Returns A B, one of them diagonal.
 template <class A, class B>
 auto times(const A& a, const B& b) {
   return (a * b).eval();

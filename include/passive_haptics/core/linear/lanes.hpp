@@ -1,5 +1,4 @@
-/// @file
-/// N numbers at once, and choices between them that no branch makes.
+/// N numbers in registers, with branch-free selection.
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
@@ -14,8 +13,7 @@
 
 namespace passive_haptics {
 
-/// x, read alone. clang++ would read a number that goes to a lane together with what stands behind it:
-/// numbers that were just stored alone, or as two columns of a matrix, would then wait for each other.
+/// Returns x, loaded separately: clang++ would load the next number, too, and stall if it was just stored.
 template <class T>
 [[gnu::always_inline]] inline T apart(T x) {
 #if defined(__clang__) && (defined(__SSE2__) || defined(__aarch64__))
@@ -30,22 +28,21 @@ template <class T>
   return x;
 }
 
-/// N numbers, such as one for each brake. What is written of them holds of each. Which brake slips, or is
-/// released, no processor can predict: a choice between lanes takes the same time whichever it is.
-///
-/// For a function that calculates; vectors hold what stays. Fast where the caller is PASSIVE_HAPTICS_FLATTEN:
-/// the numbers then live in registers. Other types than float and double are computed one by one.
+/// N numbers, such as one per brake, with element-wise operations. Selections between lanes have no branch,
+/// because conditions such as slipping brakes are unpredictable. For intermediate values; store results in
+/// vectors. Fast if the caller is PASSIVE_HAPTICS_FLATTEN, because the numbers then stay in registers. Types
+/// other than float and double are computed one by one.
 template <class T, int N>
 struct lanes {
   using packet = typename detail::packet_of<T>::type;  ///< A register of T.
-  using mask = lane_mask<T, N>;                        ///< What a comparison gives.
-  static constexpr int width = mask::width;            ///< Numbers of a register.
-  static constexpr int count = mask::count;            ///< Registers.
-  static constexpr int rest = N % width;               ///< Numbers in the last one, if it is not full.
-  packet p[std::size_t(count)];                        ///< The numbers, and zeros beyond.
+  using mask = lane_mask<T, N>;                        ///< Result of a comparison.
+  static constexpr int width = mask::width;            ///< Numbers per register.
+  static constexpr int count = mask::count;            ///< Number of registers.
+  static constexpr int rest = N % width;               ///< Numbers in the last register, if it is not full.
+  packet p[std::size_t(count)];                        ///< The numbers, padded with zeros.
 
   lanes() = default;
-  /// N times the same number, also beyond the last.
+  /// Sets all lanes, including the unused ones, to x.
   [[gnu::always_inline]] lanes(T x) {
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
       if constexpr (width == 1) p[k] = x;
@@ -53,7 +50,7 @@ struct lanes {
       else p[k] = packet{x, x, x, x};
     });
   }
-  /// f(0), ..., f(N - 1), and zeros beyond.
+  /// f(0), ..., f(N - 1), padded with zeros.
   template <class F>
     requires std::is_invocable_r_v<T, F, int>
   [[gnu::always_inline]] explicit lanes(const F& f) {
@@ -65,12 +62,12 @@ struct lanes {
       else p[k] = packet{number(0), number(1), number(2), number(3)};
     });
   }
-  /// The numbers of a vector. One by one: a load of a packet would wait for numbers that were stored alone.
-  /// Fewer than fill a register are read apart, as what stands behind them may be another vector.
+  /// Copies a vector number by number: loading a packet would stall on numbers that were just stored
+  /// separately. Uses apart() if the vector does not fill a register, as another one may follow in memory.
   lanes(const vector<T, N>& x)
       : lanes([&](int i) PASSIVE_HAPTICS_INLINE { return N < width ? apart(x[i]) : x[i]; }) {}
 
-  /// x[0], ..., x[N - 1], at any address, of numbers that were not stored just now.
+  /// Loads x[0], ..., x[N - 1] from any address. Slow if they were stored separately just before.
   [[gnu::always_inline]] static lanes load(const T* x) {
     lanes a;
     unrolled<N / width>([&](auto k)
@@ -82,30 +79,30 @@ struct lanes {
     }
     return a;
   }
-  /// Stores x[0], ..., x[N - 1].
+  /// Stores x[0], ..., x[N - 1] at any address.
   [[gnu::always_inline]] void store(T* x) const {
     unrolled<N / width>([&](auto k)
                             PASSIVE_HAPTICS_INLINE { std::memcpy(x + k * width, &p[k], sizeof(packet)); });
     if constexpr (rest != 0)
       unrolled<rest>([&](auto i) PASSIVE_HAPTICS_INLINE { x[N - rest + i] = p[count - 1][i]; });
   }
-  /// As a vector.
+  /// Converts to a vector.
   [[gnu::always_inline]] operator vector<T, N>() const {
-    vector<T, N> x;  // not by store(): g++ then keeps x in memory
+    vector<T, N> x;  // not by store(): g++ would keep x in memory
     unrolled<N / width>(
         [&](auto k) PASSIVE_HAPTICS_INLINE { std::memcpy(x.data() + k * width, &p[k], sizeof(packet)); });
     if constexpr (rest != 0)
       unrolled<rest>([&](auto i) PASSIVE_HAPTICS_INLINE { x[N - rest + i] = p[count - 1][i]; });
     return x;
   }
-  /// Number i.
+  /// Lane i.
   [[gnu::always_inline]] T operator[](int i) const {
     if constexpr (width == 1) return p[i];
     else return p[i / width][i % width];
   }
 
   /// @cond
-  // What f makes of each packet
+  // Applies f to each packet
   template <class F>
   [[gnu::always_inline]] static lanes each(F&& f) {
     lanes x;
@@ -148,11 +145,11 @@ struct lanes {
   [[gnu::always_inline]] friend mask operator>=(const lanes& a, const lanes& b) { return b <= a; }
   /// @endcond
 };
-/// Of a vector.
+/// Lanes of a vector.
 template <class T, int N>
 lanes(const vector<T, N>&) -> lanes<T, N>;
 
-/// a where it is true, else b.
+/// Returns a in the lanes that are set, else b.
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> select(const lane_mask<T, N>& where,
                                                  const std::type_identity_t<lanes<T, N>>& a,
@@ -164,7 +161,7 @@ template <class T, int N>
   });
 }
 
-/// y with the sign of x.
+/// Magnitude of y with the sign of x.
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> copysign(const std::type_identity_t<lanes<T, N>>& y,
                                                    const lanes<T, N>& x) {
@@ -174,47 +171,46 @@ template <class T, int N>
   });
 }
 
-/// |x|
+/// Absolute value.
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> abs(const lanes<T, N>& x) {
   return copysign(x, lanes<T, N>(T(0)));
 }
 
-/// The root. Of doubles without a branch: std::sqrt has one, to set errno where x < 0. (Eigen's of four
-/// floats is an approximation.)
+/// Square root, branch-free for doubles: std::sqrt may set errno. (Eigen's for floats is approximate.)
 template <class T, int N>
 lanes<T, N> sqrt(const lanes<T, N>& x) {
   if constexpr (std::same_as<T, double>) return vector<T, N>(vector<T, N>(x).cwiseSqrt());
   else return lanes<T, N>([&](int i) PASSIVE_HAPTICS_INLINE { return std::sqrt(x[i]); });
 }
 
-/// -1, 0 or 1; 0 for NaN.
+/// Sign: -1, 0 or 1; 0 for NaN.
 template <class T, int N>
 lanes<T, N> sgn(const lanes<T, N>& x) {
   return select(abs(x) > T(0), copysign(T(1), x), T(0));
 }
 
-/// The smaller of each two; a where one is NaN.
+/// Element-wise minimum; a if either is NaN.
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> min(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE { return b.p[k] < a.p[k] ? b.p[k] : a.p[k]; });
 }
 
-/// The larger of each two; a where one is NaN.
+/// Element-wise maximum; a if either is NaN.
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> max(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] < b.p[k] ? b.p[k] : a.p[k]; });
 }
 
-/// x within [lowest, highest], without a branch.
+/// Clamps x to [lowest, highest] without a branch.
 template <class T>
 [[gnu::always_inline]] inline T clamped(T x, T lowest, T highest) {
   return max(min(lanes<T, 1>(x), highest), lowest)[0];
 }
 
-/// (x_0 + x_1, y_0 + y_1), added crosswise.
+/// Returns (x_0 + x_1, y_0 + y_1).
 template <class T>
 lanes<T, 2> horizontal_add(const lanes<T, 2>& x, const lanes<T, 2>& y) {
   if constexpr (lanes<T, 2>::width != 2)

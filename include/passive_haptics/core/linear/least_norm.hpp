@@ -1,5 +1,4 @@
-/// @file
-/// The shortest non-negative solution of linear equations.
+/// Least-norm non-negative solution of linear equations.
 #pragma once
 
 #include <passive_haptics/core/linear/column_subset.hpp>
@@ -14,26 +13,24 @@ namespace passive_haptics::detail {
 
 /// The x >= 0 of least |x| with V x = f, found from a basic solution.
 ///
-/// Its dual is x_i = max(0, v_i . l): piecewise linear in the D unknowns l, a piece for each set of columns
-/// that are used. Newton's method for l goes from piece to piece and ends where a step stays in its own, by
-/// normal equations, which one step of refinement makes as sharp as V is.
+/// The dual x_i = max(0, v_i . l) is piecewise linear in the D unknowns l, with one piece per set of columns.
+/// Newton's method for l uses normal equations and ends when a step stays in its piece.
 ///
-/// Where they are not sharp, or Newton's method does not end soon: a primal active set over the pieces. x
-/// moves to the shortest solution on its set, without the sign; a column that blocks the way leaves, all
-/// columns with v_i . l > 0 enter. V x = f at any time and |x| falls, so their number is finite. Reference:
-/// Nocedal, Wright, Numerical Optimization (2006), ch. 16.5.
+/// If the normal equations are ill-conditioned or Newton's method does not end soon, a primal active set
+/// takes over: x moves to the least-norm solution on its set, ignoring signs; a blocking column leaves, and
+/// all columns with v_i . l > 0 enter. V x = f holds throughout and |x| decreases, so the search is finite.
+/// Source: Nocedal, Wright, Numerical Optimization (2006), ch. 16.5.
 template <class T, int D, int M>
 class least_norm {
  public:
-  /// V (D x M) and f.
+  /// V (D x M) and f, which must outlive this object.
   [[gnu::always_inline]] least_norm(const matrix<T, D, M>& V, const vector<T, D>& f) : v_(V), f_(f) {
     unrolled<D>([&](auto k) PASSIVE_HAPTICS_INLINE { rows_[k] = row(V, k); });
   }
 
-  /// x, of the columns in `usable` only. basis: columns that make f with x >= 0; they need not be D, and some
-  /// may be parallel to others. False, and x of no use, where rounding leaves f out of what the basis makes.
-  /// Cost: the normal equations of 1 or 2 pieces as a rule; a column_subset for each of 2 to 4 where
-  /// the condition of the columns is over some 1000.
+  /// Finds x of the columns in `usable`. basis: columns with V x = f for an x >= 0, of any number, possibly
+  /// parallel. Returns false, with an invalid x, if rounding puts f outside their range. Cost: usually normal
+  /// equations of 1 or 2 pieces; 2 to 4 column_subsets for condition numbers above about 1000.
   [[gnu::always_inline]] bool solve(const lane_mask<T, M>& basis, const lane_mask<T, M>& usable,
                                     vector<T, M>& x) {
     const bool in_a_face = !(usable == columns::of(all_columns<M>));
@@ -59,7 +56,7 @@ class least_norm {
     return left;
   }
 
-  // False where the normal equations of a piece lose too much
+  // False if the normal equations are ill-conditioned
   [[gnu::always_inline]] bool solve_by_newton(columns in_set, vector<T, M>& x) const {
     const per_column none(T(0));
     for (int piece = 0; piece < 6; ++piece) {
@@ -118,25 +115,25 @@ class least_norm {
 
   [[gnu::always_inline]] static T count(const per_column& set) { return dot(set, per_column(T(1))); }
 
-  // x = u on the set, without rounding below 0
+  // x = u on the set, with negative rounding errors set to 0
   [[gnu::always_inline]] static void take(const per_column& u, const per_column& in_set, vector<T, M>& x) {
     select(u > T(0), in_set * u, T(0)).store(x.data());
   }
 
-  // x and the solution for what it leaves of f: V x = f to rounding of its terms, whatever the subset lost
+  // Adds the solution for the remainder of f, so that V x = f to rounding of its terms
   [[gnu::always_inline]] void refine(const subset_type& subset, const per_column& in_set,
                                      vector<T, M>& x) const {
     const per_column made = per_column::load(x.data());
     take(subset.solution_of(rest_of_f(made)) + made, in_set, x);
   }
 
-  // x on the set without some that are 0 to rounding, so that the others make all of f.
+  // Removes columns that are 0 to rounding, so that the others produce all of f.
   [[gnu::noinline]] void take_without(const per_column& leaving, per_column in_set, vector<T, M>& x) const {
     in_set -= leaving;
     take(subset_type(rows_, f_, in_set).solution().first, in_set, x);
   }
 
-  // From x towards u until the first of those that become negative is 0: it leaves the set.
+  // Moves x towards u until the first decreasing entry reaches 0 and leaves the set.
   static void step_towards(const per_column& to, const per_column& leaving, per_column& in_set,
                            vector<T, M>& x) {
     vector<T, M> u, leaves, member;
@@ -158,7 +155,7 @@ class least_norm {
     in_set = per_column::load(member.data());
   }
 
-  // The basis and, until it spans what the usable columns span, the column that depends on it least.
+  // Adds the most independent columns until the basis spans the same space as the usable columns.
   [[gnu::noinline]] half_space_set completed(half_space_set basis, half_space_set usable) const {
     matrix<T, D, M> rest = v_;
     half_space_set next = basis;

@@ -1,5 +1,4 @@
-/// @file
-/// Least squares with priorities and bounds, in the way that fits the number of unknowns.
+/// Prioritised least squares with bounds, by the method that suits the number of unknowns.
 #pragma once
 
 #include <passive_haptics/core/linear/elimination.hpp>
@@ -11,8 +10,7 @@ namespace passive_haptics {
 
 namespace detail {
 
-// x without bounds, of the unknowns that are not held. Levels of zeros, of which most problems have some,
-// cost nothing.
+// Solves without bounds for the unknowns that are not held. Skips levels of zeros, which are common.
 template <class T, int N, int... Rows>
 vector<T, N> without_bounds(const vector<T, N>& x, const vector<bool, N>& held,
                             const least_squares_level<T, Rows, N>&... levels) {
@@ -21,9 +19,8 @@ vector<T, N> without_bounds(const vector<T, N>& x, const vector<bool, N>& held,
   return free.solution();
 }
 
-// The best x in the box, `Free` unknowns of which are not held; holds those that end at a bound. One of the
-// bounds that the best x without bounds violates holds the best x in the box, as on the way from one to the
-// other all levels get better: so each of these is tried.
+// Finds the best x in the box with `Free` free unknowns, and holds those at a bound. At least one bound that
+// the unbounded optimum violates is active at the bounded one: each of them is tried.
 template <int Free, class T, int N, int... Rows>
 void settle(vector<T, N>& x, vector<bool, N>& held, const vector<T, N>& lower, const vector<T, N>& upper,
             const least_squares_level<T, Rows, N>&... levels) {
@@ -39,7 +36,7 @@ void settle(vector<T, N>& x, vector<bool, N>& held, const vector<T, N>& lower, c
       held = given;
       held[i] = true;
       settle<Free - 1>(x, held, lower, upper, levels...);
-      // Rightly held if it would leave the box again, could it move with those that are not held
+      // Correctly held if it would leave the box again when released together with the free unknowns
       vector<bool, N> others = held;
       others[i] = given[i];
       if (others == given) return;
@@ -50,25 +47,25 @@ void settle(vector<T, N>& x, vector<bool, N>& held, const vector<T, N>& lower, c
 
 }  // namespace detail
 
-/// The x with lower <= x <= upper that minimises |A_1 x - b_1|, among those |A_2 x - b_2|, and so on:
+/// Returns the x with lower <= x <= upper that minimises |A_1 x - b_1|, among those |A_2 x - b_2|, and so on:
 ///
 ///     x = least_squares_by_priority(lower, upper, least_squares_level{A_1, b_1}, least_squares_level{A_2});
 ///
-/// The last level decides every unknown that is left, by N rows. x is within its bounds exactly; they may be
-/// infinite. Cost: up to four unknowns are eliminated in closed form, for each set of bounds that may hold
-/// them, two to six times mostly. More take an active set (core/linear/prioritised_least_squares.hpp).
-/// MostRows is for the active set: how many rows but those of the last level may not be 0; all if it is -1.
+/// The last level must have N rows and determine all remaining unknowns. x satisfies its bounds exactly; they
+/// may be infinite. Up to four unknowns are eliminated in closed form for each set of bounds tried, usually
+/// two to six; more use an active set (core/linear/prioritised_least_squares.hpp) with up to MostRows nonzero
+/// rows before the last level, -1 for all.
 template <int MostRows = -1, class T, int N, int... Rows>
 vector<T, N> least_squares_by_priority(const vector<T, N>& lower, const vector<T, N>& upper,
                                        const least_squares_level<T, Rows, N>&... levels) {
   if constexpr (N <= 4) {
     vector<T, N> x;
-    if constexpr (N == 1) x.setZero();  // g++ 12 takes it for read where the one unknown is held
+    if constexpr (N == 1) x.setZero();  // avoids a warning of g++ 12 if the only unknown is held
     vector<bool, N> held = vector<bool, N>::Constant(false);
     detail::settle<N>(x, held, lower, upper, levels...);
     return x;
   } else {
-    // Room for each level alone, and for all but the last together
+    // Enough rows for each level and for all before the last
     constexpr int rows = std::max({MostRows >= 0 ? MostRows : (Rows + ...) - N, Rows...});
     prioritised_least_squares<T, N, rows> x(lower, upper);
     const auto minimise = [&](const auto& level) {

@@ -1,5 +1,4 @@
-/// @file
-/// Normal equations of a few columns of a matrix with up to three rows.
+/// Normal equations of selected columns of a matrix with up to three rows.
 #pragma once
 
 #include <passive_haptics/core/linear/lane_products.hpp>
@@ -9,15 +8,13 @@
 
 namespace passive_haptics::detail {
 
-/// A = V_S V_S^T for a set S of the columns of V (D x M), D <= 3, and solutions of A l = f by Cramer's rule.
-///
-/// They lose the square of what V_S has lost, trace(A)^D / det A roundings at most.
+/// A = V_S V_S^T for columns S of V (D x M), D <= 3, by Cramer's rule to trace(A)^D / det A roundings.
 template <class T, int D, int M>
 class normal_equations {
   static_assert(D <= 3);
 
  public:
-  /// Of V by rows.
+  /// V by rows.
   [[gnu::always_inline]] normal_equations(const lanes<T, M> (&V)[std::size_t(D)], const lane_mask<T, M>& S) {
     matrix<T, D, D> A;
     unrolled<D>([&](auto i) {
@@ -37,7 +34,7 @@ class normal_equations {
     inverse_ = T(1) / determinant_;
   }
 
-  /// Whether a solution has half of its digits; false for NaN.
+  /// True if a solution has at least half of its digits; false for NaN.
   bool are_sharp() const {
     const T least = T(8) * std::sqrt(std::numeric_limits<T>::epsilon());
     T size = T(1);
@@ -45,7 +42,7 @@ class normal_equations {
     return determinant_ > least * size;
   }
 
-  /// l
+  /// Returns l with A l = f.
   [[gnu::always_inline]] vector<T, D> solve(const vector<T, D>& f) const {
     vector<T, D> l;
     unrolled<D>([&](auto i) {

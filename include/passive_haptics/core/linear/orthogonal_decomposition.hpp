@@ -1,4 +1,3 @@
-/// @file
 /// Complete orthogonal decomposition of a small matrix of any rank.
 #pragma once
 
@@ -6,12 +5,9 @@
 
 namespace passive_haptics {
 
-/// Takes from x its parts along the first `count` columns of Q, which are orthonormal, and returns how much
-/// of each that was, the others 0.
-///
-/// Classical Gram-Schmidt, twice: once leaves rounding of x, twice is enough (Kahan). Exact where the columns
-/// are units of the base frame. What grows and shrinks by a column a step has a form of its own
-/// (updatable_qr.hpp).
+/// Subtracts from x its projections on the first `count` columns of Q, which are orthonormal, and returns
+/// their coefficients; the others are 0. Classical Gram-Schmidt, performed twice (Kahan). Exact if the
+/// columns are unit vectors of the base frame.
 template <class T, int N, int Columns>
 vector<T, Columns> orthogonalise(vector<T, N>& x, const matrix<T, N, Columns>& Q, int count) {
   vector<T, Columns> parts = vector<T, Columns>::Zero(), part;
@@ -26,12 +22,9 @@ vector<T, Columns> orthogonalise(vector<T, N>& x, const matrix<T, N, Columns>& Q
 }
 
 /// A = U R V^T with orthonormal columns of U (rows x r) and V (N x r), R (r x r) upper triangular and r the
-/// numerical rank: gives least-squares solutions of least norm for any A. Zero rows cost little: a matrix
-/// with fewer rows is filled up with them.
-///
-/// By Gram-Schmidt with reorthogonalisation over pivoted rows (V) and then over columns (U): no products of A
-/// with itself, everything on the stack, quick to compile. A row that is shorter than `tolerance` times the
-/// longest after the others were taken out of it counts as dependent.
+/// numerical rank. Gives least-norm least-squares solutions for any A. Padding with rows of zeros costs
+/// little. Uses Gram-Schmidt with reorthogonalisation over pivoted rows (V) and then over columns (U): no A^T
+/// A, no heap. A row counts as dependent if its remainder is shorter than `tolerance` times the longest row.
 template <class T, int Rows, int N>
 class orthogonal_decomposition {
  public:
@@ -41,10 +34,9 @@ class orthogonal_decomposition {
     find_column_space(A);
   }
 
-  /// Numerical rank r.
-  int rank() const { return rank_; }
+  int rank() const { return rank_; }  ///< Numerical rank r.
 
-  /// A^+ b: the shortest of the least-squares solutions of A x = b.
+  /// Returns A^+ b, the least-norm least-squares solution of A x = b.
   vector<T, N> solve(const vector<T, Rows>& b) const {
     vector<T, N> x = vector<T, N>::Zero();
     vector<T, max_rank> y;
@@ -57,7 +49,7 @@ class orthogonal_decomposition {
     return x;
   }
 
-  /// A^+ B, column by column.
+  /// Returns A^+ B.
   template <int C>
     requires(C > 1)
   matrix<T, N, C> solve(const matrix<T, Rows, C>& B) const {
@@ -66,7 +58,7 @@ class orthogonal_decomposition {
     return X;
   }
 
-  /// (A^T)^+ g: the shortest of the least-squares solutions of A^T x = g.
+  /// Returns (A^T)^+ g, the least-norm least-squares solution of A^T x = g.
   vector<T, Rows> solve_transposed(const vector<T, N>& g) const {
     vector<T, Rows> x = vector<T, Rows>::Zero();
     vector<T, max_rank> y;
@@ -79,25 +71,25 @@ class orthogonal_decomposition {
     return x;
   }
 
-  /// A^+.
+  /// Returns A^+.
   matrix<T, N, Rows> pseudo_inverse() const {
     return solve(matrix<T, Rows, Rows>(matrix<T, Rows, Rows>::Identity()));
   }
 
-  /// x less its part in the row space of A: A times it is 0.
+  /// Returns the component of x in the null space of A.
   vector<T, N> without_row_space(vector<T, N> x) const {
     orthogonalise(x, v_, rank_);
     return x;
   }
 
-  /// b less its part in the column space of A: A^T times it is 0.
+  /// Returns the component of b in the null space of A^T.
   vector<T, Rows> without_column_space(vector<T, Rows> b) const {
     orthogonalise(b, u_, rank_);
     return b;
   }
 
-  /// Orthonormal x with A x = 0 in the first N - r columns; the others are 0. Each begins as that unit vector
-  /// of which most is left, so that a few roundings of A change little of them.
+  /// Orthonormal basis of the null space of A in the first N - r columns; the others are 0. Each column
+  /// starts from the unit vector with the largest remainder, so that rounding in A changes the basis little.
   matrix<T, N, N> null_space() const {
     matrix<T, N, N> basis = matrix<T, N, N>::Zero(), rest;
     for (int i = 0; i < N; ++i) rest.col(i) = without_row_space(vector<T, N>::Unit(i));
@@ -114,7 +106,7 @@ class orthogonal_decomposition {
     return basis;
   }
 
-  /// I - U U^T, the orthogonal projection on the b with A^T b = 0.
+  /// Returns I - U U^T, the orthogonal projection on the null space of A^T.
   matrix<T, Rows, Rows> left_null_projection() const {
     matrix<T, Rows, Rows> P = matrix<T, Rows, Rows>::Identity();
     for (int k = 0; k < rank_; ++k) P -= u_.col(k) * u_.col(k).transpose();
@@ -153,9 +145,9 @@ class orthogonal_decomposition {
   }
 
   int rank_ = 0;
-  matrix<T, Rows, max_rank> u_;      // the first r columns: orthonormal columns of U
-  matrix<T, N, max_rank> v_;         // and of V
-  matrix<T, max_rank, max_rank> r_;  // R
+  matrix<T, Rows, max_rank> u_;  // r orthonormal columns of U
+  matrix<T, N, max_rank> v_;     // and of V
+  matrix<T, max_rank, max_rank> r_;
 };
 
 }  // namespace passive_haptics

@@ -1,5 +1,4 @@
-/// @file
-/// Least squares with priorities and bounds.
+/// Prioritised least squares with bounds.
 #pragma once
 
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
@@ -12,28 +11,28 @@
 
 namespace passive_haptics {
 
-/// Finds x with lower <= x <= upper that minimises |A_1 x - b_1|, among those |A_2 x - b_2|, and so on:
+/// Finds the x with lower <= x <= upper that minimises |A_1 x - b_1|, among those |A_2 x - b_2|, and so on:
 ///
 ///     prioritised_least_squares<T, N, MaxRows> x(lower, upper);
-///     x.minimise(A1, b1);  // the most important first
-///     x.minimise(A2, b2);  // changes nothing of A1 x
+///     x.minimise(A1, b1);  // highest priority first
+///     x.minimise(A2, b2);  // keeps A1 x
 ///     x.solution();
 ///
-/// Each level is a convex quadratic problem in what the levels before leave free. A primal active set over
-/// the bounds solves it: step to the minimum on the free variables, stop at the first bound, release a bound
-/// that holds the minimum back. Where several bounds meet, that of least index is released, which never
-/// cycles (Chang, Cottle, Math. Programming 18, 1980). Orthogonal decompositions only, no normal equations. x
-/// is within its bounds exactly at any time. Bounds may be infinite; variables with lower = upper are fixed.
-/// No allocation. Cost: for each change of the active set a decomposition of the earlier rows and one of the
-/// level's. Reference: Escande, Mansard, Wieber, Hierarchical quadratic programming, IJRR 33 (7), 2014.
+/// Each level is a convex quadratic problem in the remaining freedom, solved by a primal active set over the
+/// bounds: step to the minimum on the free variables, stop at the first bound, release a bound that blocks
+/// the minimum. Where several bounds meet, the one with the lowest index is released, which prevents cycling
+/// (Chang, Cottle, Math. Programming 18, 1980). Uses orthogonal decompositions, no normal equations.
+///
+/// x satisfies its bounds exactly; they may be infinite. Cost: two decompositions per change of the active
+/// set. Source: Escande, Mansard, Wieber, Hierarchical quadratic programming, IJRR 33 (7), 2014.
 template <class T, int N, int MaxRows>
 class prioritised_least_squares {
  public:
-  static constexpr int row_count = MaxRows;  ///< Of a level's matrix.
-  using rows = matrix<T, MaxRows, N>;        ///< A level's matrix; rows that it does not need are 0.
-  using targets = vector<T, MaxRows>;        ///< A level's right-hand side, 0 there.
+  static constexpr int row_count = MaxRows;  ///< Rows of a level's matrix.
+  using rows = matrix<T, MaxRows, N>;        ///< A level's matrix, padded with rows of zeros.
+  using targets = vector<T, MaxRows>;        ///< A level's right-hand side, padded with zeros.
 
-  /// Starts at the point of the box that is nearest to 0. lower <= upper.
+  /// Starts at the point of the box nearest to 0. Requires lower <= upper.
   prioritised_least_squares(const vector<T, N>& lower, const vector<T, N>& upper)
       : lower_(lower), upper_(upper) {
     for (int i = 0; i < N; ++i) {
@@ -45,13 +44,12 @@ class prioritised_least_squares {
     }
   }
 
-  /// Minimises |A x - b| without changing what earlier calls reached; all calls but the last together may
-  /// have MaxRows rows that are not 0. False if rounding kept the active set from settling; x is then
-  /// feasible all the same.
+  /// Minimises |A x - b| without changing the residuals of earlier levels. Calls before the last may have
+  /// MaxRows nonzero rows in total. False if rounding kept the active set from settling; x is still feasible.
   bool minimise(const rows& A, const targets& b) {
-    flags refused{};     // bounds that rounding had released
-    int released = -1;   // the last that was; -1: none
-    bool stuck = false;  // the last step met a bound at once: several meet here
+    flags refused{};     // bounds released because of rounding
+    int released = -1;   // the last bound released, or -1
+    bool stuck = false;  // the last step met a bound immediately: several meet here
     bool settled = false;
     for (int change = 0; change < 10 * (N + 1) && !settled; ++change) {
       const decomposition held(on_free(done_), tolerance()), free = reduced(A, held);
@@ -73,21 +71,18 @@ class prioritised_least_squares {
     return settled;
   }
 
-  /// x so far; within its bounds exactly.
-  const vector<T, N>& solution() const { return x_; }
+  const vector<T, N>& solution() const { return x_; }  ///< The current x, exactly within its bounds.
 
  private:
   enum class bound { none, lower, upper, fixed };
   using decomposition = orthogonal_decomposition<T, MaxRows, N>;
   using flags = std::array<bool, static_cast<std::size_t>(N)>;
 
-  // Relative size under which a row or a multiplier is rounding: the first level is what it was given, in
-  // those behind it stands rounding of what the others hold.
+  // Relative size of rounding in rows and multipliers; later levels contain that of the earlier ones.
   static constexpr T tolerance() { return T(16) * rounding_tolerance<T>(N + MaxRows); }
   static constexpr T sharp = rounding_tolerance<T>(N);
   T rank_tolerance() const { return done_rows_ == 0 ? sharp : tolerance(); }
 
-  // b - A x
   targets residual(const rows& A, const targets& b) const { return b - A * x_; }
 
   static T max_row_norm(const rows& A) { return A.rowwise().norm().maxCoeff(); }
@@ -100,8 +95,7 @@ class prioritised_least_squares {
     return picked;
   }
 
-  // b - A x without what the free variables can make: that is rounding of A x, of which a flat A would make
-  // pulls. 0 where no more than rounding is left.
+  // b - A x without the range of the free variables, which is only rounding; 0 if all of it is.
   targets clean_residual(const rows& A, const targets& b, const decomposition& free) const {
     targets r = residual(A, b);
     const T size = b.norm() + (A.cwiseAbs() * x_.cwiseAbs()).norm();
@@ -109,19 +103,17 @@ class prioritised_least_squares {
     return r.norm() > sharp * size ? r : targets(targets::Zero());
   }
 
-  // A on the free variables, less what the earlier rows hold: from it comes the shortest step to the least
-  // |A x - b| that leaves these rows as they are.
+  // A on the free variables, projected off the earlier rows, for the shortest step that preserves them.
   decomposition reduced(const rows& A, const decomposition& held) const {
     const rows Af = on_free(A);
     rows rest;
     for (int i = 0; i < MaxRows; ++i) rest.row(i) = held.without_row_space(Af.row(i)).transpose();
-    // A level that sees only rounding of itself in what is left free has nothing to say.
+    // Ignore a level that only has rounding errors left in the free variables.
     if (!(rest.norm() > tolerance() * Af.norm())) rest.setZero();
     return decomposition(rest, rank_tolerance());
   }
 
-  // Goes along the step up to the first bound: the share of the step that was made, and the variable that met
-  // its bound; -1 if none did.
+  // Moves up to the first bound. Returns the share of the step and the blocking variable, or -1.
   std::pair<T, int> advance(const vector<T, N>& step) {
     T share = T(1);
     int blocking = -1;
@@ -143,19 +135,19 @@ class prioritised_least_squares {
     return {share, blocking};
   }
 
-  // The bound whose multiplier has the wrong sign by most, or the first of them. If there is none, -1, and
-  // the bounds that hold this level back are fixed, since no later level may release them.
+  // Returns the bound with the most wrong multiplier, or the first wrong one; -1 if none. In that case, the
+  // bounds that block this level become fixed because no later level may release them.
   int to_release(const rows& A, const targets& r, const decomposition& held, const flags& refused,
                  bool first) {
-    vector<T, N> pull = A.transpose() * r;  // - gradient of |A x - b|^2 / 2
+    vector<T, N> pull = A.transpose() * r;  // negative gradient of |A x - b|^2 / 2
     vector<T, N> on_free_pull = pull;
     for (int i = 0; i < N; ++i) {
       if (nth(at_, i) != bound::none) on_free_pull[i] = T(0);
     }
-    // What the earlier rows take up of it
+    // Component absorbed by the earlier rows
     const targets taken = held.solve_transposed(on_free_pull);
     pull -= done_.transpose() * taken;
-    // A column that the decompositions call dependent has no pull
+    // Columns that the decompositions consider dependent have no pull
     const T noise = rank_tolerance() * (max_row_norm(A) * r.norm() + max_row_norm(done_) * taken.norm());
     int worst = -1;
     T largest = noise;
@@ -174,7 +166,7 @@ class prioritised_least_squares {
 
   vector<T, N> lower_, upper_, x_;
   std::array<bound, static_cast<std::size_t>(N)> at_;
-  rows done_ = rows::Zero();  // rows of the levels before: A x of these must not change
+  rows done_ = rows::Zero();  // rows of the earlier levels, with fixed products with x
   int done_rows_ = 0;
 };
 

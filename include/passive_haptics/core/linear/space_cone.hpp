@@ -1,5 +1,4 @@
-/// @file
-/// Projection onto a cone of three half-spaces in space, in closed form.
+/// Closed-form projection onto a cone of three half-spaces in space.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -11,27 +10,26 @@
 
 namespace passive_haptics::detail {
 
-/// True if products of four lengths of this square are numbers.
+/// True if products of four lengths with this square neither overflow nor underflow.
 template <class T>
 bool is_moderate(T square) {
   constexpr T max_square = sizeof(T) > sizeof(float) ? T(1e30) : T(1e8);
   return square < max_square && square > T(1) / max_square;
 }
 
-/// In space the nearest point is f, its foot on a face or on an edge, or the apex. With the edges d_k = b_i x
-/// b_j (i, j, k in cyclic order) and c_j = b_j x f, Lagrange's identity gives for the foot p of f on face j
+/// The nearest point is f, its foot on a face or on an edge, or the apex. With the edges d_k = b_i x b_j (i,
+/// j, k in cyclic order) and c_j = b_j x f, Lagrange's identity gives for the foot p of f on face j
 ///
 ///     |b_j|^2 b_i . p = c_j . (b_j x b_i) = +-c_j . d_k,
 ///
-/// which is also |d_k|^2 mu_i of the foot on the edge of i and j. So signs of a few products decide between
-/// these points. A narrow angle between two half-spaces could spoil only the edges, which are made to a few
-/// roundings of themselves.
+/// which is also |d_k|^2 mu_i of the foot on the edge of i and j. The signs of a few products therefore
+/// select the point. A narrow angle between half-spaces affects only the edges.
 template <class T>
 class space_cone {
  public:
-  using projection = half_space_projection<T, 3, 3>;  ///< What nearest() gives.
+  using projection = half_space_projection<T, 3, 3>;
 
-  /// Of { p : B^T p <= 0 } and f, which is read as long as this lives.
+  /// The cone { p : B^T p <= 0 } and f, which must outlive this object.
   space_cone(const matrix<T, 3, 3>& B, const vector<T, 3>& f) : f_(f) {
     unrolled<3>([&](auto j) {
       nth(b_, j) = B.col(j);
@@ -40,7 +38,7 @@ class space_cone {
     });
   }
 
-  /// The nearest point to f. False where rounding would decide which it is; then `answer` is not touched.
+  /// Finds the nearest point to f. Returns false without changing `answer` if rounding would decide the case.
   PASSIVE_HAPTICS_FLATTEN bool nearest(projection& answer) {
     if (!(outside_[0] > T(0) || outside_[1] > T(0) || outside_[2] > T(0))) {
       answer = {f_, vector<T, 3>::Zero(), 0};
@@ -75,8 +73,7 @@ class space_cone {
     return moderate;
   }
 
-  // b_i x b_j to rounding of itself; 0 where they are parallel to rounding, so that a foot on one face lies
-  // on the other
+  // b_i x b_j to a few roundings, or 0 if parallel to rounding: a foot on one face is then on both
   vector<T, 3> edge(int i, int j) const {
     vector<T, 3> d = cross(nth(b_, i), nth(b_, j));
     const T both = square_[i] * square_[j], narrow = both / T(16);
@@ -87,7 +84,7 @@ class space_cone {
     return d;
   }
 
-  // |b_j|^2 b . p of the two other columns b, for the foot p of f on face j
+  // |b_j|^2 b . p for the other two columns b and the foot p of f on face j
   void look_from_face(int j) {
     nth(normal_, j) = cross(nth(b_, j), f_);
     beyond_next_[j] = nth(normal_, j).dot(nth(edge_, previous(j)));
@@ -101,14 +98,12 @@ class space_cone {
     return true;
   }
 
-  // f pulled to edge k by both of its half-spaces
   bool is_within_edge(int k) const {
     return beyond_previous_[previous(k)] > T(0) && beyond_next_[next(k)] > T(0);
   }
 
-  // b_k . d_k, the determinant of B: how far edge k rises over face k
+  // b_k . d_k = det B, the height of edge k over face k
   T height(int k) const { return nth(b_, k).dot(nth(edge_, k)); }
-  // Whether that is rounding: edge k lies in face k
   bool is_flat(int k, T height) const {
     constexpr T tolerance = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
     return square_[k] > T(0) && !(height * height > tolerance * square_[k] * nth(edge_, k).squaredNorm());
@@ -124,7 +119,7 @@ class space_cone {
     return true;
   }
 
-  // f = B mu by Cramer's rule, if mu >= 0
+  // f = B mu by Cramer's rule; false unless mu >= 0
   bool lie_at_apex(projection& answer) const {
     vector<T, 3> mu;
     for (int k = 0; k < 3; ++k) {
@@ -140,20 +135,19 @@ class space_cone {
   const vector<T, 3>& f_;
   std::array<vector<T, 3>, 3> b_, edge_, normal_;  // columns of B, d_k, c_j
   vector<T, 3> square_, outside_;                  // |b_j|^2, b_j . f
-  vector<T, 3> beyond_next_, beyond_previous_;     // |b_j|^2 b . p_j of the column after and before j
+  vector<T, 3> beyond_next_, beyond_previous_;     // |b_j|^2 b . p_j for the columns b after and before j
 };
 
-/// Whether the face or edge that was nearest a cycle before is nearest still, without the others' edges.
+/// Tests whether the face or edge of the previous cycle is still nearest, without computing the other edges.
 template <class T>
 class space_cone_start {
  public:
-  using projection = half_space_projection<T, 3, 3>;  ///< What nearest() gives.
+  using projection = half_space_projection<T, 3, 3>;
 
-  /// Of { p : B^T p <= 0 } and f, which are read as long as this lives.
   [[gnu::always_inline]] space_cone_start(const matrix<T, 3, 3>& B, const vector<T, 3>& f) : B_(B), f_(f) {}
 
-  /// The nearest point to f, if the one or two half-spaces of `active` hold f back and the point is clear of
-  /// the others: those conditions suffice. Else false; then `answer` is not touched.
+  /// Finds the nearest point to f if exactly the one or two half-spaces of `active` are active. Otherwise
+  /// returns false without changing `answer`.
   [[gnu::always_inline]] bool nearest(half_space_set active, projection& answer) const {
     switch (active) {
       case 1: return is_on_face(0, 1, 2, answer);
@@ -169,14 +163,13 @@ class space_cone_start {
  private:
   vector<T, 3> half_space(int j) const { return B_.col(j); }
 
-  // b . x < 0 by more than the rounding of an x of length^2 size
+  // True if b . x < 0 by more than the rounding of an x with |x|^2 = size
   static bool is_clear(const vector<T, 3>& b, const vector<T, 3>& x, T size) {
     constexpr T tolerance = rounding_tolerance<T>(3) * rounding_tolerance<T>(3);
     const T beyond = b.dot(x);
     return beyond < T(0) && beyond * beyond > tolerance * b.squaredNorm() * size;
   }
 
-  // f's foot on face j
   bool is_on_face(int j, int i, int k, projection& answer) const {
     const vector<T, 3> b = half_space(j);
     const T outside = b.dot(f_);
@@ -190,7 +183,7 @@ class space_cone_start {
     return true;
   }
 
-  // f's foot on the edge d of faces i and j, if they are at an angle that is no trouble
+  // Foot of f on the edge d of faces i and j, unless the angle is narrow
   bool is_on_edge(int i, int j, int k, projection& answer) const {
     const vector<T, 3> bi = half_space(i), bj = half_space(j), d = cross(bi, bj);
     const T mu_i = d.dot(cross(f_, bj));  // times |d|^2
@@ -214,8 +207,7 @@ class space_cone_start {
   const vector<T, 3>& f_;
 };
 
-/// The nearest point of { p : B^T p <= 0 } to f, in closed form, or by an active set where rounding would
-/// decide. Both begin at `start`.
+/// Nearest point of { p : B^T p <= 0 } to f, by an active set if rounding would decide the case.
 template <class T>
 half_space_projection<T, 3, 3> nearest_in_space(const matrix<T, 3, 3>& B, const vector<T, 3>& f,
                                                 half_space_start& start) {

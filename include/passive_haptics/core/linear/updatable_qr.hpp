@@ -1,4 +1,3 @@
-/// @file
 /// Thin QR decomposition of a set of columns that grows and shrinks.
 #pragma once
 
@@ -13,53 +12,45 @@
 
 namespace passive_haptics::detail {
 
-/// A = V R of up to MaxColumns columns, V with orthogonal columns and R upper triangular with ones on its
-/// diagonal; the residual r = f - V (V^T V)^-1 V^T f of a target f is kept beside it.
-///
-/// By Gram-Schmidt. V is explicit and reorthogonalised where digits were lost, so r stays orthogonal to the
-/// columns at any condition of A: no Gram matrix, no inverse; and no root, for which the next column would
-/// wait. Columns of different lengths are welcome. Cost of append: 4 Rows size flops, twice that where a
-/// column nearly depends on those before it. Reference: Daniel, Gragg, Kaufman, Stewart, Reorthogonalization
-/// and stable algorithms for updating the Gram-Schmidt QR factorization, Math. Comp. 30 (1976).
+/// A = V R with up to MaxColumns columns, orthogonal columns of V and a unit upper triangular R. Also keeps
+/// the residual r = f - V (V^T V)^-1 V^T f of a target f. Uses Gram-Schmidt with an explicit V,
+/// reorthogonalised after cancellation, so r stays orthogonal to the columns at any condition number of A.
+/// There is no Gram matrix, inverse or root. Columns may differ in length. Cost of append: 4 Rows size flops,
+/// twice that for a nearly dependent column. Source: Daniel, Gragg, Kaufman, Stewart, Reorthogonalization and
+/// stable algorithms for updating the Gram-Schmidt QR factorization, Math. Comp. 30 (1976).
 template <class T, int Rows, int MaxColumns>
 class updatable_qr {
  public:
   using column = lanes<T, Rows>;                                             ///< A column of A or V.
-  using coefficients = std::array<T, static_cast<std::size_t>(MaxColumns)>;  ///< One for each column.
+  using coefficients = std::array<T, static_cast<std::size_t>(MaxColumns)>;  ///< One number per column.
 
-  /// No columns: r = f.
+  /// Starts without columns: r = f.
   [[gnu::always_inline]] explicit updatable_qr(const column& f) : r_(f) {}
 
-  /// Columns so far.
-  int size() const { return size_; }
-  /// r
-  const column& residual() const { return r_; }
-  /// Column k of V.
-  const column& orthogonal(int k) const { return nth(v_, k); }
-  /// v_k . f / |v_k|^2
-  T along(int k) const { return nth(c_, k); }
-  /// v_k . b / |v_k|^2
+  int size() const { return size_; }                            ///< Number of columns.
+  const column& residual() const { return r_; }                 ///< The residual r.
+  const column& orthogonal(int k) const { return nth(v_, k); }  ///< Column k of V.
+  T along(int k) const { return nth(c_, k); }                   ///< Returns v_k . f / |v_k|^2.
+  /// Returns v_k . b / |v_k|^2.
   [[gnu::always_inline]] T along(int k, const column& b) const {
     return dot(nth(v_, k), b) * nth(inverse_square_, k);
   }
-  /// 1 / |v_k|^2
-  T inverse_square(int k) const { return nth(inverse_square_, k); }
+  T inverse_square(int k) const { return nth(inverse_square_, k); }  ///< Returns 1 / |v_k|^2.
 
-  /// Appends a column b of square |b|^2; false, and nothing appended, if it depends on the others to
-  /// rounding, so that r is orthogonal to it as well, or if its square is no number any more.
+  /// Appends a column b with the square |b|^2. Returns false without appending if b depends on the others to
+  /// rounding (r is then orthogonal to b) or the square underflows.
   [[gnu::always_inline]] bool append(const column& b, T square) {
     return append(b, square, [&](int k) PASSIVE_HAPTICS_INLINE { return along(k, b); });
   }
 
-  /// Overload of append for precomputed products along_b(k) = v_k . b / |v_k|^2.
+  /// As above, with precomputed along_b(k) = v_k . b / |v_k|^2.
   template <class F>
   [[gnu::always_inline]] bool append(const column& b, T square, F&& along_b) {
     column v = b;
     coefficients& h = nth(upper_, size_);
     T rest = square;
     if (size_ > 0) {
-      // All products before the first difference: in turns, as in modified Gram-Schmidt, they wait for each
-      // other
+      // All products before the first difference: in modified Gram-Schmidt they wait for each other
       each([&](int k) PASSIVE_HAPTICS_INLINE { nth(h, k) = along_b(k); });
       each([&](int k) PASSIVE_HAPTICS_INLINE { v -= nth(h, k) * nth(v_, k); });
       rest = dot(v, v);
@@ -74,7 +65,7 @@ class updatable_qr {
     return true;
   }
 
-  /// Keeps the first `count` columns.
+  /// Keeps the first `count` columns, with the target f.
   void truncate(int count, const column& f) {
     size_ = count;
     r_ = f;
@@ -84,7 +75,7 @@ class updatable_qr {
     }
   }
 
-  /// Least-squares coefficients y: R y = (V^T V)^-1 V^T f by back substitution.
+  /// Computes the least-squares coefficients y: R y = (V^T V)^-1 V^T f, by back substitution.
   [[gnu::always_inline]] void solve(coefficients& y) const {
     for (int k = size_ - 1; k >= 0; --k) {
       T rest = nth(c_, k);
@@ -93,8 +84,7 @@ class updatable_qr {
     }
   }
 
-  /// r orthogonal to V to rounding of |r|, however little it is of f: one more pass. Exactly 0 where V spans
-  /// all.
+  /// Returns r after another projection, orthogonal to V to rounding of |r|; exactly 0 if V spans the space.
   [[gnu::always_inline]] column clean_residual() const {
     if (size_ == Rows) return column{};
     column r = r_;
@@ -105,10 +95,10 @@ class updatable_qr {
   }
 
  private:
-  static constexpr T cancelled = T(0.1);  // of |v|^2: what is left has lost digits against V
+  static constexpr T cancelled = T(0.1);  // share of |v|^2 below which digits were lost
   static constexpr T dependent = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
 
-  // f(k) for each column so far, unrolled: a loop's counting would take a third of the time
+  // Calls f(k) for each column, unrolled because a loop counter would take a third of the time
   template <class F>
   [[gnu::always_inline]] void each(F&& f) const {
     [&]<int... K>(std::integer_sequence<int, K...>) PASSIVE_HAPTICS_INLINE {
@@ -116,7 +106,7 @@ class updatable_qr {
     }(std::make_integer_sequence<int, MaxColumns>());
   }
 
-  // v orthogonal to V, what it loses added to R. before, rest: |v|^2 before it was projected first and since.
+  // Makes v orthogonal to V, and updates R. before, rest: |v|^2 around the first projection.
   [[gnu::noinline]] T reorthogonalise(column& v, T before, T rest) {
     coefficients& h = nth(upper_, size_);
     for (int pass = 0; pass < 2 && rest < cancelled * before; ++pass) {  // twice is enough (Kahan)
@@ -132,7 +122,7 @@ class updatable_qr {
     return rest;
   }
 
-  // Not initialised: only the first size() entries are ever read
+  // Not initialised: only the first size() entries are read
   std::array<column, static_cast<std::size_t>(MaxColumns)> v_;
   std::array<coefficients, static_cast<std::size_t>(MaxColumns)>
       upper_;                    // R by columns, without its diagonal

@@ -1,4 +1,3 @@
-/// @file
 /// a b - c d and the cross product without cancellation.
 #pragma once
 
@@ -8,16 +7,15 @@
 
 namespace passive_haptics {
 
-/// a b - c d within 1.5 units in the last place, whatever cancels. Two fused operations of the C library
-/// where the compiler's target has none. Reference: Jeannerod, Louvet, Muller, Further analysis of Kahan's
-/// algorithm for the accurate computation of 2 x 2 determinants, Mathematics of Computation 82 (2013).
+/// Returns a b - c d within 1.5 units in the last place, by two fused multiply-adds. Source: Jeannerod,
+/// Louvet, Muller, Further analysis of Kahan's algorithm, Mathematics of Computation 82 (2013).
 template <class T>
 T difference_of_products(T a, T b, T c, T d) {
   const T cd = c * d;
   return std::fma(a, b, -cd) + std::fma(-c, d, cd);
 }
 
-/// a x b, each entry to a few roundings of itself: for vectors that are nearly parallel.
+/// Returns a x b, each entry to a few roundings, for nearly parallel vectors.
 template <class T>
 vector<T, 3> accurate_cross(const vector<T, 3>& a, const vector<T, 3>& b) {
   return {difference_of_products(a[1], b[2], a[2], b[1]), difference_of_products(a[2], b[0], a[0], b[2]),

@@ -1,5 +1,4 @@
-/// @file
-/// Sine and cosine in double, of one angle or of two at once.
+/// Sine and cosine in double, for one angle or two.
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
@@ -10,14 +9,11 @@
 
 namespace passive_haptics::detail {
 
-// Two doubles in one register, and their bits.
 using two_doubles [[gnu::vector_size(16)]] = double;
 using two_words [[gnu::vector_size(16)]] = std::uint64_t;
 
-// A number in both lanes.
 constexpr two_doubles twice(double number) { return two_doubles{number, number}; }
 
-// What a sine and a cosine are made of.
 struct sine_cosine_numbers {
   two_doubles two_over_pi = twice(0.63661977236758134308);
   // 1.5 * 2^52: adding it rounds to an integer in the low bits
@@ -25,7 +21,7 @@ struct sine_cosine_numbers {
   // pi/2 in three parts of 33 bits, so that k times the first two is exact (Cody, Waite; e_rem_pio2.c)
   two_doubles part_1 = twice(1.57079632673412561417), part_2 = twice(6.07710050630396597660e-11),
               part_3 = twice(2.02226624879595063154e-21);
-  // Of k_sin.c and k_cos.c
+  // From k_sin.c and k_cos.c
   two_doubles S1 = twice(-1.66666666666666324348e-01), S2 = twice(8.33333333332248946124e-03),
               S3 = twice(-1.98412698298579493134e-04), S4 = twice(2.75573137070700676789e-06),
               S5 = twice(-2.50507602534068634195e-08), S6 = twice(1.58969099521155010221e-10);
@@ -35,13 +31,12 @@ struct sine_cosine_numbers {
 };
 inline constexpr sine_cosine_numbers all_numbers;
 
-/// sin and cos in double for |x| <= 1e5, without a branch: x = r + k pi/2 with |r| <= pi/4, then fdlibm's
-/// polynomials (k_sin.c, k_cos.c, Sun Microsystems 1993) and the quadrant k mod 4. Of one double and its
-/// bits, or of two at once.
+/// sin and cos for |x| <= 1e5, without a branch: x = r + k pi/2 with |r| <= pi/4, then fdlibm's polynomials
+/// (k_sin.c, k_cos.c, Sun Microsystems 1993) and the quadrant k mod 4. For one double and its bits, or two.
 template <class Doubles, class Words>
 [[gnu::always_inline]] inline sine_cosine_pair<Doubles> reduced_sine_cosine(Doubles x) {
   const sine_cosine_numbers* n = &all_numbers;
-  asm("" : "+r"(n));  // or g++ makes each pair of numbers anew from one: a third more instructions
+  asm("" : "+r"(n));  // prevents g++ from rebuilding each pair, which takes a third more instructions
   const auto of = [](const two_doubles& number) {
     if constexpr (std::same_as<Doubles, double>) return number[0];
     else return number;

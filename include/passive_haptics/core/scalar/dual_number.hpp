@@ -1,4 +1,3 @@
-/// @file
 /// Dual numbers: forward-mode automatic differentiation.
 #pragma once
 
@@ -12,36 +11,30 @@
 
 namespace passive_haptics {
 
-/// A number of the language.
+/// A built-in arithmetic type.
 template <class X>
 concept PlainNumber = std::is_arithmetic_v<X>;
 
-/// A number x and its derivatives dx by N variables: f(x, dx) = (f(x), f'(x) dx), exact to rounding.
-///
-/// It has the operators and the functions of `<cmath>` that have a derivative, found by the types of their
-/// arguments: `using std::cos; cos(x)`. It never becomes a plain number, as that would drop the derivatives:
-/// std::cos(x) is an error that says so. Compares by x alone.
+/// A number x and its derivatives dx by N variables: f(x, dx) = (f(x), f'(x) dx), exact to rounding. Supports
+/// the operators and functions of `<cmath>` that have a derivative, by argument-dependent lookup: `using
+/// std::cos; cos(x)`. Conversion to a plain number, as in std::cos(x), is a compile-time error because it
+/// would drop the derivatives. Comparisons use only x.
 template <class T, int N>
 class dual_number {
  public:
   using derivative_vector = vector<T, N>;  ///< dx
 
-  /// 0
-  dual_number() : dual_number(T(0)) {}
-  /// A constant.
+  dual_number() : dual_number(T(0)) {}  ///< Zero.
+  /// A constant: dx = 0.
   dual_number(PlainNumber auto x) : x_(static_cast<T>(x)), dx_(derivative_vector::Zero()) {}
-  /// x and dx.
-  dual_number(T x, derivative_vector dx) : x_(x), dx_(std::move(dx)) {}
-  /// Variable i of the N.
+  dual_number(T x, derivative_vector dx) : x_(x), dx_(std::move(dx)) {}  ///< Value and derivatives.
+  /// Variable i of the N, with the value x.
   static dual_number variable(T x, int i) { return {x, derivative_vector::Unit(i)}; }
 
-  /// x
-  T value() const { return x_; }
-  /// dx
-  const derivative_vector& derivatives() const { return dx_; }
+  T value() const { return x_; }                                ///< x
+  const derivative_vector& derivatives() const { return dx_; }  ///< dx
 
-  /// An error, and not a missing function with a page of candidates. Implicit to `long double` alone: that is
-  /// the overload which std::cos(x) then takes, and `c ? x : 0.0` can only be a dual number.
+  /// Fails with a short message. Implicit only to `long double`, the overload that std::cos(x) selects.
   template <PlainNumber X>
   explicit(!std::same_as<X, long double>) operator X() const {
     static_assert(!std::same_as<X, X>,
@@ -73,7 +66,7 @@ class dual_number {
     return {ratio, (a.dx_ - ratio * b.dx_) / b.x_};
   }
 
-  // With a constant c
+  // Overloads for a constant c
   /// @cond
   friend dual_number operator+(const dual_number& a, PlainNumber auto c) { return {a.x_ + T(c), a.dx_}; }
   friend dual_number operator+(PlainNumber auto c, const dual_number& a) { return {T(c) + a.x_, a.dx_}; }
@@ -96,7 +89,7 @@ class dual_number {
   dual_number& operator*=(const dual_number& b) { return *this = *this * b; }  ///< x y
   dual_number& operator/=(const dual_number& b) { return *this = *this / b; }  ///< x / y
 
-  // By x alone
+  // Comparisons of x
   /// @cond
   friend bool operator==(const dual_number& a, const dual_number& b) { return a.x_ == b.x_; }
   friend bool operator==(const dual_number& a, PlainNumber auto c) { return a.x_ == T(c); }
@@ -155,7 +148,7 @@ class dual_number {
   /// @endcond
 
  private:
-  // f and f' dx
+  // Returns f and f' dx
   dual_number chain(T f, T slope) const { return {f, slope * dx_}; }
 
   T x_;
@@ -165,7 +158,7 @@ class dual_number {
 }  // namespace passive_haptics
 
 /// @cond
-// Vectors of dual numbers are Eigen's.
+// Scalars of Eigen's matrices.
 template <class T, int N>
 struct Eigen::NumTraits<passive_haptics::dual_number<T, N>> : Eigen::NumTraits<T> {
   using Real = passive_haptics::dual_number<T, N>;
@@ -173,12 +166,11 @@ struct Eigen::NumTraits<passive_haptics::dual_number<T, N>> : Eigen::NumTraits<T
   using Nested = passive_haptics::dual_number<T, N>;
   enum { RequireInitialization = 1 };
 };
-// A dual number and a constant make a dual number.
+// Mixed operations give a dual number.
 template <class T, int N, class Operation>
 struct Eigen::ScalarBinaryOpTraits<passive_haptics::dual_number<T, N>, T, Operation> {
   using ReturnType = passive_haptics::dual_number<T, N>;
 };
-// A constant and a dual number make a dual number.
 template <class T, int N, class Operation>
 struct Eigen::ScalarBinaryOpTraits<T, passive_haptics::dual_number<T, N>, Operation> {
   using ReturnType = passive_haptics::dual_number<T, N>;

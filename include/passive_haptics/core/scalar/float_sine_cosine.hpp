@@ -1,5 +1,4 @@
-/// @file
-/// Sine and cosine in float, of one angle or of two at once.
+/// Sine and cosine in float, for one angle or two.
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
@@ -14,19 +13,17 @@
 
 namespace passive_haptics::detail {
 
-// Two floats in one register, and their bits.
 using two_floats [[gnu::vector_size(8)]] = float;
 using two_short_words [[gnu::vector_size(8)]] = std::uint32_t;
 
-/// x = rest + tail + quadrant pi/2 with |rest| <= pi/4 and a tail under its last place; of the quadrant the
-/// last two bits count.
+/// x = rest + tail + quadrant pi/2 with |rest| <= pi/4, a tail below its last place, and quadrant modulo 4.
 template <class Floats, class Words>
 struct reduced_angle {
   Floats rest, tail;
   Words quadrant;
 };
 
-/// The largest angle [rad] for reduced(): its k has at most 7 bits.
+/// Maximum angle [rad] for reduced(): its k has at most 7 bits.
 inline constexpr float few_turns = 199;
 
 /// For |x| <= few_turns, without a branch.
@@ -34,7 +31,7 @@ template <class Floats, class Words>
 [[gnu::always_inline]] inline reduced_angle<Floats, Words> reduced(Floats x) {
   constexpr float two_over_pi = 0.636619772f;
   constexpr float to_integer = 12582912;  // 1.5 * 2^23: adding it rounds to an integer in the low bits
-  // pi/2 in three parts, of which the first two have 17 bits, so that k times each is exact (Cody, Waite)
+  // pi/2 in three parts, the first two with 17 bits, so that k times each is exact (Cody, Waite)
   constexpr float part_1 = 1.57078552f, part_2 = 1.08042732e-5f, part_3 = 6.07710055e-11f;
   const Floats shifted = x * two_over_pi + to_integer;
   const Floats k = shifted - to_integer;
@@ -42,8 +39,7 @@ template <class Floats, class Words>
   return {rest, ((exact - rest) - k * part_2) - k * part_3, bit_cast<Words>(shifted)};
 }
 
-/// For |x| >= 1, in integers: x = m 2^e, times those 96 bits of 2/pi that decide x 2/pi modulo 4 (Payne,
-/// Hanek). NaN where x is not finite.
+/// For |x| >= 1: m 2^e times 96 bits of 2/pi in integers, modulo 4 (Payne, Hanek). NaN if not finite.
 [[gnu::noinline]] inline reduced_angle<float, std::uint32_t> reduced_in_integers(float x) {
   using short_word = std::uint32_t;
   using long_word = std::uint64_t;
@@ -53,12 +49,12 @@ template <class Floats, class Words>
   if (!(std::abs(x) <= std::numeric_limits<float>::max())) return {x - x, 0, 0};
 
   const short_word bits = bit_cast<short_word>(x), m = (bits & 0x7fffff) | 0x800000;
-  const short_word first = (bits >> 23 & 0xff) - 120;  // of the bits of 2/pi that are taken
+  const short_word first = (bits >> 23 & 0xff) - 120;  // first bit of 2/pi in use
   const auto taken = [&](short_word i) {
     const short_word* w = two_over_pi + first / 32 + i;
     return ((long_word(w[0]) << 32 | w[1]) << first % 32) >> 32;
   };
-  // In right angles, modulo 4: two bits before the point, 62 behind it
+  // In right angles, modulo 4: two bits before the point, 62 after it
   const long_word turned = (m * taken(0) << 32) + m * taken(1) + (m * taken(2) >> 32);
   const short_word quadrant = short_word((turned + (long_word(1) << 61)) >> 62);
   const auto behind = std::int64_t(turned - (long_word(quadrant) << 62));
@@ -72,8 +68,7 @@ template <class Floats, class Words>
           x < 0 ? -quadrant : quadrant};
 }
 
-/// sin and cos from the rest of an angle: Cephes' polynomials (sinf.c, Moshier 1992), and of the tail what
-/// is linear in it.
+/// sin and cos of a reduced angle: Cephes' polynomials (sinf.c, Moshier 1992), linear in the tail.
 template <class Floats, class Words>
 [[gnu::always_inline]] inline sine_cosine_pair<Floats> sine_cosine_of(const reduced_angle<Floats, Words>& x) {
   const Floats r = x.rest, z = r * r;
@@ -85,7 +80,7 @@ template <class Floats, class Words>
   return in_quadrant<31>(x.quadrant, sine, cosine);
 }
 
-// sin and cos of one angle and of two, each within 0.9 units in the last place.
+// Within 0.9 units in the last place.
 [[gnu::always_inline]] inline sine_cosine_pair<float> float_sine_cosine(float x) {
   using short_word = std::uint32_t;
   return sine_cosine_of(std::abs(x) <= few_turns ? reduced<float, short_word>(x) : reduced_in_integers(x));

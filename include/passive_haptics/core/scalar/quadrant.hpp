@@ -1,5 +1,4 @@
-/// @file
-/// The circle in right angles: what the sines of double and of float share.
+/// Quadrant selection for sines of double and float.
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
@@ -15,12 +14,10 @@ struct sine_cosine_pair {
 
 namespace detail {
 
-/// sin and cos of r + quadrant pi/2 from those of r, without a branch. Of one number or of several, whose
-/// bits are Words and the last of them number SignBit.
+/// sin and cos of r + quadrant pi/2 from those of r, without a branch. SignBit: highest bit of a word.
 template <int SignBit, class Reals, class Words>
 [[gnu::always_inline]] inline sine_cosine_pair<Reals> in_quadrant(Words quadrant, Reals sine, Reals cosine) {
-  // An odd quadrant swaps the two; the sine's sign is bit 1 of the quadrant, the cosine's that of the one
-  // after
+  // An odd quadrant swaps them. The signs are bit 1 of quadrant (sine) and quadrant + 1 (cosine)
   const Words sine_bits = bit_cast<Words>(sine), cosine_bits = bit_cast<Words>(cosine);
   const Words swapped = (sine_bits ^ cosine_bits) & -(quadrant & 1);
   const auto with_sign = [](Words bits, Words sign_in_bit_1) {

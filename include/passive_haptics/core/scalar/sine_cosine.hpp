@@ -1,5 +1,4 @@
-/// @file
-/// Sine and cosine of one angle at once.
+/// Sine and cosine of the same angle.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -15,8 +14,7 @@
 namespace passive_haptics {
 
 /// sin x and cos x of x [rad]. float: within 0.9 units in the last place for every finite x, without double.
-/// double: within 2 units for |x| <= 1e5 rad, beyond and for other types the C library's. NaN for what is not
-/// finite.
+/// double: within 2 units for |x| <= 1e5 rad. Otherwise those of the C library. NaN if not finite.
 template <std::floating_point T>
 [[gnu::always_inline]] inline sine_cosine_pair<T> sine_cosine(T x) {
   if constexpr (std::same_as<T, float>) return detail::float_sine_cosine(x);
@@ -29,7 +27,7 @@ template <std::floating_point T>
   return {std::sin(x), std::cos(x)};
 }
 
-/// Sines and cosines of two angles, in the time of one.
+/// Sines and cosines of two angles [rad], in the time of one.
 template <std::floating_point T>
 [[gnu::always_inline]] inline std::array<sine_cosine_pair<T>, 2> sine_cosine(T x, T y) {
   if constexpr (std::same_as<T, float>) return detail::float_sine_cosine(x, y);
@@ -43,7 +41,7 @@ template <std::floating_point T>
   return {{{std::sin(x), std::cos(x)}, {std::sin(y), std::cos(y)}}};
 }
 
-/// sin x and cos x of a scalar that brings its own, such as one that carries derivatives.
+/// For scalars with their own sin and cos, such as dual_number.
 template <class S>
   requires(!std::floating_point<S>)
 sine_cosine_pair<S> sine_cosine(S x) {
@@ -51,7 +49,7 @@ sine_cosine_pair<S> sine_cosine(S x) {
   return {sin(x), cos(x)};
 }
 
-/// Sines and cosines of N angles, floating-point numbers two by two.
+/// Sines and cosines of N angles [rad], floating-point numbers in pairs.
 template <class S, int N>
 std::array<sine_cosine_pair<S>, static_cast<std::size_t>(N)> sine_cosine(const vector<S, N>& angles) {
   std::array<sine_cosine_pair<S>, static_cast<std::size_t>(N)> all;

@@ -1,5 +1,4 @@
-/// @file
-/// Detents: periodic positions along a direction that resist being left.
+/// Detents: periodic positions along a direction that the handle leaves against a resistance.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -11,17 +10,16 @@
 
 namespace passive_haptics {
 
-/// Where detents are and how strong.
+/// Parameters of detents.
 template <class T, int D>
 struct detents_parameters {
-  vector<T, D> origin = vector<T, D>::Zero();            ///< A point at a detent [m].
-  vector<T, D> direction = vector<T, D>::UnitX();        ///< Across the detents; any length > 0.
-  T spacing = T(0);                                      ///< From one to the next [m], > 0.
-  T strength = T(0);                                     ///< Largest resistance [N], >= 0.
-  T velocity_dead_band = default_velocity_dead_band<T>;  ///< Slower counts as at rest [m/s], > 0.
+  vector<T, D> origin = vector<T, D>::Zero();            ///< Position of one detent [m].
+  vector<T, D> direction = vector<T, D>::UnitX();        ///< Direction across the detents, of any length > 0.
+  T spacing = T(0);                                      ///< Distance between detents [m], > 0.
+  T strength = T(0);                                     ///< Maximum resistance [N], >= 0.
+  T velocity_dead_band = default_velocity_dead_band<T>;  ///< Speed counted as at rest [m/s], > 0.
 
-  static constexpr const char* type_name = "detents";  ///< In errors.
-  /// The table of core/parameters.hpp.
+  static constexpr const char* type_name = "detents";  ///< For errors.
   static constexpr auto members() {
     using p = detents_parameters;
     return member_table(member("origin", &p::origin, "m", range::finite),
@@ -32,31 +30,31 @@ struct detents_parameters {
   }
 };
 
-/// With a the direction, e the way from the nearest detent along a, P the spacing and f the strength:
+/// With the direction a, the offset e from the nearest detent along a, the spacing P and the strength f:
 ///
 ///   F = -f |sin(2 pi e / P)| sgn(e) a  while e grows away from the detent, else 0.
 ///
-/// This is the leaving half of a magnetic detent's sinusoidal force. The other half would pull the handle in;
-/// a brake cannot (equation 3), so on the way in the handle is free. Continuous in x; in v outside the dead
-/// band, where it is a one_way_resistance() and holds against a hand force under the limit.
+/// This is the leaving half of the sinusoidal force of a magnetic detent. The other half would pull the
+/// handle in, which a brake cannot do (equation 3), so the handle moves in freely. The force is continuous in
+/// x, and in v outside the dead band of its one_way_resistance().
 template <class T, int D>
 class detents {
  public:
-  using scalar = T;                    ///< Scalar of forces.
-  static constexpr int dimension = D;  ///< d
+  using scalar = T;                    ///< Scalar type.
+  static constexpr int dimension = D;  ///< Task dimension d.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit detents(const detents_parameters<T, D>& p) : p_(require_valid(p)) {
     p_.direction = direction_of(p_.direction);
   }
 
-  /// Way from the nearest detent along the direction [m], at most spacing / 2 in size.
+  /// Offset from the nearest detent along the direction [m], at most spacing / 2 in magnitude.
   T offset(const vector<T, D>& x) const {
     const T s = p_.direction.dot(x - p_.origin);
     return s - p_.spacing * std::round(s / p_.spacing);
   }
 
-  /// Force [N] at x [m] with velocity v [m/s]; the hand force [N] matters in the dead band only.
+  /// Force [N] at x [m] with velocity v [m/s]. The hand force [N] only matters in the dead band.
   vector<T, D> force(const vector<T, D>& x, const vector<T, D>& v,
                      const vector<T, D>& hand_force = vector<T, D>::Zero()) const {
     const T e = offset(x);

@@ -1,4 +1,3 @@
-/// @file
 /// End stops: limits of the joints.
 #pragma once
 
@@ -10,20 +9,19 @@
 
 namespace passive_haptics {
 
-/// Where the joints end. For a sliding joint read N for N m and m for rad.
+/// Joint limits and their resistance. For a sliding joint, read N for N m and m for rad.
 template <class T, int N>
 struct end_stops_parameters {
-  /// Lower limits [rad]; -infinity for none.
+  /// Lower limits [rad], or -infinity.
   vector<T, N> lower = vector<T, N>::Constant(-std::numeric_limits<T>::infinity());
-  /// Upper limits [rad]; infinity for none.
+  /// Upper limits [rad], or infinity.
   vector<T, N> upper = vector<T, N>::Constant(std::numeric_limits<T>::infinity());
   vector<T, N> stiffness =
-      vector<T, N>::Zero();  ///< Growth of the resistance behind a limit [N m/rad], >= 0.
-  /// Slower counts as at rest [rad/s], > 0; as rate_dead_band of brake_parameters.
+      vector<T, N>::Zero();  ///< Increase of the resistance beyond a limit [N m/rad], >= 0.
+  /// Rate below which a joint is at rest [rad/s], > 0; as in brake_parameters.
   vector<T, N> rate_dead_band = vector<T, N>::Constant(T(0.02));
 
-  static constexpr const char* type_name = "end_stops";  ///< In errors.
-  /// The table of core/parameters.hpp.
+  static constexpr const char* type_name = "end_stops";  ///< For errors.
   static constexpr auto members() {
     using p = end_stops_parameters;
     return member_table(member("lower", &p::lower, "rad"), member("upper", &p::upper, "rad"),
@@ -41,22 +39,18 @@ struct end_stops_parameters {
   }
 };
 
-/// Desired joint torques: behind a limit, k times the way behind it against motion further out. On the way
-/// back the joint is free, as at every wall of brakes: the elastic part would be active there (equation 3).
-///
-/// An Effect in joint space: with no hand torque, t_i qd_i <= 0 for each joint and t = 0 at rest. A limit in
-/// the task space is a half_space.
+/// Desired joint torques: beyond a limit, stiffness times overshoot against motion further out. The way back
+/// is free because an elastic force would be active (equation 3). For task space, use a half_space.
 template <class T, int N>
 class end_stops {
  public:
-  using scalar = T;              ///< Scalar of torques.
-  static constexpr int dof = N;  ///< n
+  using scalar = T;              ///< Scalar type.
+  static constexpr int dof = N;  ///< Number of joints n.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit end_stops(const end_stops_parameters<T, N>& p) : p_(require_valid(p)) {}
 
-  /// Joint torque (n) [N m] at q (n) [rad] with rates qd (n) [rad/s]; hand_torque (n) [N m], what the hand
-  /// does to the joints, J^T Fh, matters in the dead band only.
+  /// Joint torques (n) [N m] at q (n) [rad] with rates qd (n) [rad/s]. hand_torque: J^T Fh (n) [N m].
   vector<T, N> torque(const vector<T, N>& q, const vector<T, N>& qd,
                       const vector<T, N>& hand_torque = vector<T, N>::Zero()) const {
     vector<T, N> t;

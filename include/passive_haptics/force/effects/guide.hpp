@@ -1,5 +1,4 @@
-/// @file
-/// Guidance along a line or in a plane by resistance to what leaves it.
+/// Guidance along a line or plane by resistance to deviations.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -8,25 +7,24 @@
 
 namespace passive_haptics {
 
-/// What a guide leads along.
+/// Shape of a guide.
 enum class guide_along {
   line,   ///< The line through `point` along `direction`.
   plane,  ///< The plane through `point` with the normal `direction`.
 };
 
-/// Where a guide is and how it resists.
+/// Parameters of a guide.
 template <class T, int D>
 struct guide_parameters {
   guide_along along = guide_along::line;           ///< Line or plane.
-  vector<T, D> point = vector<T, D>::Zero();       ///< Any point of it [m].
+  vector<T, D> point = vector<T, D>::Zero();       ///< Any point of the guide [m].
   vector<T, D> direction = vector<T, D>::UnitX();  ///< Along the line or normal to the plane; any length > 0.
-  T stiffness = T(0);                              ///< Growth of the resistance to leaving [N/m], >= 0.
-  T tolerance = T(0);                              ///< Way off that is not resisted by stiffness [m], >= 0.
-  T viscosity = T(0);                              ///< Across the guide, either way [N s/m], >= 0.
-  T velocity_dead_band = default_velocity_dead_band<T>;  ///< Slower counts as at rest [m/s], > 0.
+  T stiffness = T(0);  ///< Increase of the resistance with the deviation [N/m], >= 0.
+  T tolerance = T(0);  ///< Deviation without this resistance [m], >= 0.
+  T viscosity = T(0);  ///< Viscous resistance across the guide, in both directions [N s/m], >= 0.
+  T velocity_dead_band = default_velocity_dead_band<T>;  ///< Speed counted as at rest [m/s], > 0.
 
-  static constexpr const char* type_name = "a guide";  ///< In errors.
-  /// The table of core/parameters.hpp.
+  static constexpr const char* type_name = "a guide";  ///< For errors.
   static constexpr auto members() {
     using p = guide_parameters;
     return member_table(choice("along", &p::along, "line, plane"),
@@ -39,31 +37,30 @@ struct guide_parameters {
   }
 };
 
-/// A virtual fixture as a resistance. With e the way off the guide, v_e the velocity across it, u = e / |e|:
+/// A virtual fixture made of resistance. With the deviation e, the velocity v_e across it and u = e / |e|:
 ///
-///   F = -k max(|e| - tolerance, 0) u  while u . v > 0, else 0;   and -b v_e always.
+///   F = -k max(|e| - tolerance, 0) u  while u . v > 0, else 0;   plus -b v_e always.
 ///
-/// Motion along the guide and back to it is free of stiffness; nothing pulls the handle back. Continuous in
-/// x; in v outside the dead band, where the first part is a one_way_resistance() and holds against a hand
-/// force under its limit. scene/shapes/virtual_fixtures.hpp has the same as walls. References: L. B.
+/// Motion along the guide and back to it is free of stiffness. The force is continuous in x, and in v outside
+/// the dead band of its one_way_resistance(). See scene/shapes/virtual_fixtures.hpp for walls. Sources: L. B.
 /// Rosenberg, Virtual fixtures: perceptual tools for telerobotic manipulation, IEEE VRAIS 1993, pp. 76-82; D.
 /// K. Swanson, W. J. Book, Path-following control for dissipative passive haptic displays, 11th Symposium on
 /// Haptics, 2003, pp. 101-108 (the paper's [5]).
 template <class T, int D>
 class guide {
  public:
-  using scalar = T;                    ///< Scalar of forces.
-  static constexpr int dimension = D;  ///< d
+  using scalar = T;                    ///< Scalar type.
+  static constexpr int dimension = D;  ///< Task dimension d.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit guide(const guide_parameters<T, D>& p) : p_(require_valid(p)) {
     p_.direction = direction_of(p_.direction);
   }
 
-  /// Way off the guide [m], at right angles to it.
+  /// Deviation perpendicular to the guide [m].
   vector<T, D> deviation(const vector<T, D>& x) const { return across(x - p_.point); }
 
-  /// Force [N] at x [m] with velocity v [m/s]; the hand force [N] matters in the dead band only.
+  /// Force [N] at x [m] with velocity v [m/s]. The hand force [N] only matters in the dead band.
   vector<T, D> force(const vector<T, D>& x, const vector<T, D>& v,
                      const vector<T, D>& hand_force = vector<T, D>::Zero()) const {
     const vector<T, D> drag = -p_.viscosity * across(v);

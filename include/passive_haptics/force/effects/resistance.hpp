@@ -1,5 +1,4 @@
-/// @file
-/// Dry resistance with a limit: what a brake feels like, in slip and at rest.
+/// Dry resistance with a limit, like a slipping or holding brake.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -8,21 +7,20 @@
 
 namespace passive_haptics {
 
-/// Speed under which a handle counts as at rest [m/s]: the brakes' rate dead band, 0.02 rad/s
+/// Default speed below which a handle is at rest [m/s]: the rate dead band of the brakes, 0.02 rad/s
 /// (brake_parameters.hpp), at the paper's link length of 0.15 m (section 5).
 template <class T>
 inline constexpr T default_velocity_dead_band = T(0.003);
 
-/// Force of size `limit` against the velocity v; inside the dead band, limit v / dead_band plus what holds
-/// against the push, together no more than limit.
+/// Force of magnitude `limit` against the velocity v; inside the dead band, limit v / dead_band plus the
+/// reaction to the push, limited to `limit`.
 ///
-/// So a push under the limit brings the handle to rest and holds it. Without a push the force is continuous,
-/// zero at rest, and F . v <= 0. With one, F . v <= limit dead_band, and F jumps at the edge of the band if
-/// the push is not along v. Units: limit and push [N], v and dead_band [m/s], or [N m] and [rad/s]; limit >=
-/// 0, dead_band > 0. The slope is a damping: a simulation that applies the force without the passive
-/// constraint (3), which lets no brake reverse a motion, needs limit step < 2 dead_band mass. Reference: D.
-/// Karnopp, Computer simulation of stick-slip friction in mechanical dynamic systems, ASME J. Dynamic
-/// Systems, Measurement, and Control 107(1), 1985, pp. 100-103.
+/// A push below the limit therefore comes to rest and is held. Without a push the force is continuous, zero
+/// at rest, and F . v <= 0. With a push, F . v <= limit dead_band, and F jumps at the edge of the band unless
+/// the push is along v. Units: limit and push [N], v and dead_band [m/s], or [N m] and [rad/s]; limit >= 0,
+/// dead_band > 0. A simulation without the passive constraint (3) needs limit step < 2 dead_band mass.
+/// Source: D. Karnopp, Computer simulation of stick-slip friction in mechanical dynamic systems, ASME J.
+/// Dynamic Systems, Measurement, and Control 107(1), 1985, pp. 100-103.
 template <class T, int D>
 vector<T, D> resistance(T limit, const vector<T, D>& v, T dead_band, const vector<T, D>& push) {
   const T speed = length_of(v);
@@ -32,12 +30,11 @@ vector<T, D> resistance(T limit, const vector<T, D>& v, T dead_band, const vecto
   return size > limit ? vector<T, D>(-limit / size * wanted) : vector<T, D>(-wanted);
 }
 
-/// Size of a resisting force along one direction, against motion that way only, 0 <= size <= limit. Motion
-/// the other way is free. `speed` and `push` are components along the direction.
+/// Magnitude of a resistance to motion one way, in [0, limit]. `speed` and `push` are components this way.
 template <class T>
 T one_way_resistance(T limit, T speed, T dead_band, T push) {
   if (speed > dead_band) return limit;
-  if (speed < -dead_band) return T(0) * limit;  // a NaN stays one
+  if (speed < -dead_band) return T(0) * limit;  // keeps NaN
   const T wanted = limit * (speed / dead_band) + push;
   if (wanted <= T(0)) return T(0);
   return wanted > limit ? limit : wanted;

@@ -1,5 +1,4 @@
-/// @file
-/// Wall friction of whatever walls are touched.
+/// Wall friction of all touched walls.
 #pragma once
 
 #include <passive_haptics/force/effect.hpp>
@@ -7,20 +6,18 @@
 
 namespace passive_haptics {
 
-/// Every touched wall is rough: the sum of their wall_friction(), each under the load with which the hand
-/// presses on it (pressing_force) and with the velocity relative to it. A WallEffect.
-///
-/// Where no hand force is known the dry part is zero: there is no load.
+/// A WallEffect: the sum of wall_friction() over the touched walls, with the load from pressing_force() and
+/// the velocity relative to each wall. Without a known hand force there is no load, so the dry part is zero.
 template <class T, int D>
 class rough_walls {
  public:
-  using scalar = T;                    ///< Scalar of forces.
-  static constexpr int dimension = D;  ///< d
+  using scalar = T;                    ///< Scalar type.
+  static constexpr int dimension = D;  ///< Task dimension d.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit rough_walls(const wall_friction_parameters<T>& p) : p_(require_valid(p)) {}
 
-  /// Friction [N] at these contacts of a handle with velocity v [m/s] and hand force [N].
+  /// Friction [N] at these contacts, for a handle with velocity v [m/s] and hand force [N].
   template <class Walls>
   vector<T, D> force_at(const Walls& touched, const vector<T, D>& v, const vector<T, D>& hand_force) const {
     vector<T, D> sum = vector<T, D>::Zero();

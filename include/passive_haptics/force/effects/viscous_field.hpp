@@ -1,4 +1,3 @@
-/// @file
 /// A viscous field, F = -B v.
 #pragma once
 
@@ -8,18 +7,17 @@
 
 namespace passive_haptics {
 
-/// The viscosity of a field.
+/// Parameters of a viscous field.
 template <class T, int D>
 struct viscous_field_parameters {
   matrix<T, D, D> viscosity = matrix<T, D, D>::Zero();  ///< B [N s/m], base frame; v . B v >= 0 for all v.
 
-  static constexpr const char* type_name = "a viscous_field";  ///< In errors.
-  /// The table of core/parameters.hpp.
+  static constexpr const char* type_name = "a viscous_field";  ///< For errors.
   static constexpr auto members() {
     using p = viscous_field_parameters;
     return member_table(member("viscosity", &p::viscosity, "N s/m", range::finite));
   }
-  /// It drives no motion. Eigenvalues down to -rounding |B| count as zero.
+  /// The field must not drive. Eigenvalues down to -rounding |B| count as zero.
   error_message rules() const {
     const T size = viscosity.norm();
     const matrix<T, D, D> rounding = rounding_tolerance<T>(D) * size * matrix<T, D, D>::Identity();
@@ -29,21 +27,19 @@ struct viscous_field_parameters {
   }
 };
 
-/// F = -B v everywhere. B may be anisotropic (easy along one direction) and have a part that turns the force
-/// across the motion without power (B != B^T); brakes display that part as far as their cone allows.
-///
-/// Reference for such fields: R. Shadmehr, F. A. Mussa-Ivaldi, Adaptive representation of dynamics during
-/// learning of a motor task, J. Neuroscience 14(5), 1994, pp. 3208-3224.
+/// F = -B v everywhere. B may be anisotropic and may have a part that deflects the force without power (B !=
+/// B^T), which brakes display as far as their cone permits. Source: R. Shadmehr, F. A. Mussa-Ivaldi, Adaptive
+/// representation of dynamics during learning of a motor task, J. Neuroscience 14(5), 1994, pp. 3208-3224.
 template <class T, int D>
 class viscous_field {
  public:
-  using scalar = T;                    ///< Scalar of forces.
-  static constexpr int dimension = D;  ///< d
+  using scalar = T;                    ///< Scalar type.
+  static constexpr int dimension = D;  ///< Task dimension d.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit viscous_field(const viscous_field_parameters<T, D>& p) : viscosity_(require_valid(p).viscosity) {}
 
-  /// -B v [N]; of its arguments only the velocity [m/s] matters.
+  /// Returns -B v [N] for the velocity v [m/s]; ignores the other arguments.
   vector<T, D> force(const vector<T, D>&, const vector<T, D>& v,
                      const vector<T, D>& = vector<T, D>::Zero()) const {
     return -viscosity_ * v;

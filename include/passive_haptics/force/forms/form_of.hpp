@@ -1,5 +1,4 @@
-/// @file
-/// The form of a device's forces: one of three, each with all its operations in a file of its own.
+/// Selection of the form of a device's forces. Each of the three forms has all its operations in one file.
 #pragma once
 
 #include <passive_haptics/force/forms/generator_form.hpp>
@@ -11,13 +10,13 @@
 
 namespace passive_haptics {
 
-/// The form of M: by half-spaces (n = m = d), by generators (n = d, another m), or settled (n > d).
+/// The form of M: half-spaces (n = m = d), generators (n = d, m != d), or settled (n > d).
 template <class M>
 using form_of =
     std::conditional_t<Settles<M>, settled_form<M>,
                        std::conditional_t<M::brake_count == M::dof, half_space_form<M>, generator_form<M>>>;
 
-/// F = G t in pose q.
+/// Map F = G t in pose q.
 template <class M>
 auto force_map_of(const M& mechanism, const joint_vector<M>& q) {
   static_assert(is_mechanism<M, explain>());

@@ -1,5 +1,4 @@
-/// @file
-/// The forces of other than n brakes where n = d, F = G t: redundant brakes, and fewer brakes than joints.
+/// Forces F = G t of redundant brakes, or of fewer brakes than joints (n = d, m != n).
 #pragma once
 
 #include <passive_haptics/force/forms/half_space_form.hpp>
@@ -9,8 +8,7 @@
 
 namespace passive_haptics {
 
-/// Fc for a unit desired force n in generator form, F = G t: exact if n is in the cone, the torques those of
-/// the least |t|.
+/// Fc for a unit desired force n, F = G t: exact if n is in the cone, with the torques of least |t|.
 template <class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Brakes>& G,
                                                            const vector<T, Brakes>& s, const vector<T, D>& n,
@@ -18,15 +16,14 @@ approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Br
   const auto nearest = nearest_torque(G, s, n);
   const T square = nearest.force.squaredNorm(), least = std::max(min_cosine, rounding_tolerance<T>(D));
   if (!(square >= least * least)) return {};
-  // What is left of n, against the size of the terms that were added up where F is their sum
+  // Tolerance for the remainder of n, relative to the terms of F if it is a sum
   T rounding = rounding_tolerance<T>(D + Brakes);
   if constexpr (D > 3) rounding *= T(1) + size_of_terms(G, nearest.torque);
   if ((n - nearest.force).norm() <= rounding) return {display_class::exact, n, nearest.torque, T(1)};
   return {display_class::approximate, nearest.force / square, nearest.torque / square, square};
 }
 
-/// Fc with the torques of the least |t / u|, u being generator_form::units. A brake whose unit is 0 is
-/// off; its torque is 0 exactly.
+/// Fc with the torques of least |t / u|, u = generator_form::units. A brake with unit 0 is off.
 template <class T, int D, int Brakes, class Units>
 approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Brakes>& G,
                                                            const vector<T, Brakes>& s, const vector<T, D>& n,
@@ -40,16 +37,15 @@ approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Br
   }
 }
 
-/// The operations on the forces of M's brakes, by generators. Not listed: those that it shares with
-/// half-spaces, as its signs are those of now, too.
+/// Operations on the forces of M's brakes, by generators. The others are inherited from half_space_form.
 template <class M>
 struct generator_form : half_space_form<M> {
-  using typename half_space_form<M>::T;      ///< Scalar.
-  using typename half_space_form<M>::force;  ///< With the torques that produce it.
-  using half_space_form<M>::d;               ///< Task dimensions,
-  using half_space_form<M>::m;               ///< brakes.
+  using typename half_space_form<M>::T;      ///< Scalar type.
+  using typename half_space_form<M>::force;  ///< Force with its torques.
+  using half_space_form<M>::d;               ///< Task dimension.
+  using half_space_form<M>::m;               ///< Number of brakes.
 
-  /// Fc for a desired force of 1 N, of the torques of least norm. Needs no start.
+  /// Fc for a desired force of 1 N, with the torques of least norm. Needs no start.
   template <class Device>
   static force nearest(const Device& device, const desired_force<T, d>& Fd, T min_cosine,
                        approximation_start&) {
@@ -57,13 +53,12 @@ struct generator_form : half_space_form<M> {
                                      min_cosine, units(device.s, device.brakes));
   }
 
-  /// F = G t.
+  /// Map F = G t.
   template <class EMatrix>
   static force_map<T, d, m> map(const mechanism_pose<M>& pose, const EMatrix&) {
     return {passive_haptics::force_generators(pose)};
   }
-  /// Units of torques of least norm: shares of what each brake can make with its sign s_i. equal_units if no
-  /// limit is named that could make a difference.
+  /// Units of torques of least norm, from the maximum torques with signs s; equal_units without limits.
   template <class B>
   static auto units([[maybe_unused]] const brake_vector<M>& s, [[maybe_unused]] const B& brakes) {
     if constexpr (SwitchableBrakes<B, T, m>) {
@@ -75,19 +70,19 @@ struct generator_form : half_space_form<M> {
       return equal_units();
     }
   }
-  /// True: a force of torques in their box is one that the brakes can make.
+  /// Always true: torques in their box give a force that the brakes can produce.
   template <class Device>
   static bool is_in_cone(const Device&, const brake_vector<M>&, const brake_matrix<M>&, const force&) {
     return true;
   }
-  /// Sets F to the force of its torques. Returns the size of what adds up to it [N]: that of its rounding.
+  /// Sets F to the force of its torques. Returns the magnitude of its terms [N], for rounding bounds.
   template <class Device>
   static T set_force(force& F, const Device& device, const desired_force<T, d>& Fd,
                      const approximation_start&) {
     return detail::add_up(F, device, Fd, passive_haptics::force_generators(device.pose));
   }
 
-  /// The motions of the brakes in pose q, for design.
+  /// Motions of the brakes in pose q, for design.
   template <class B>
   static detail::ways_to_move<T, d, m> motions(const M& mechanism, const joint_vector<M>& q,
                                                const brake_matrix<M>& E, const B&) {

@@ -1,5 +1,4 @@
-/// @file
-/// The forces of as many brakes as joints, n = m = d: an intersection of half-spaces.
+/// Forces of as many brakes as joints (n = m = d): an intersection of half-spaces.
 #pragma once
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
@@ -16,8 +15,7 @@
 namespace passive_haptics {
 namespace detail {
 
-// True if n . F of a device with n = d is the sum over its brakes, by G: not at singular poses, where joints
-// may move while the end effector rests. Redundant brakes, m > n, have no other form.
+// True if n . F is a sum over the brakes by G, for n = d; false at singular poses.
 template <class M>
 bool forces_add_up(const mechanism_pose<M>& pose, const brake_matrix<M>& G) {
   using T = typename M::scalar;
@@ -28,7 +26,7 @@ bool forces_add_up(const mechanism_pose<M>& pose, const brake_matrix<M>& G) {
   return rounding * J * rounding * G.squaredNorm() < pose.transposed_transmission().squaredNorm();
 }
 
-// Sets F to the force G t of its torques. Returns the size of the terms of G t and of Fd [N].
+// Sets F to the force G t of its torques. Returns the magnitude of the terms of G t and Fd [N].
 template <class Device, class T, int D, int Brakes>
 T add_up(approximated_force<T, D, Brakes>& F, const Device& device, const desired_force<T, D>& Fd,
          const matrix<T, D, Brakes>& G) {
@@ -40,16 +38,15 @@ T add_up(approximated_force<T, D, Brakes>& F, const Device& device, const desire
 
 }  // namespace detail
 
-/// The operations on the forces of M's brakes, by half-spaces. Each form has all of them.
+/// Operations on the forces of M's brakes, by half-spaces. All forms have the same operations.
 template <class M>
 struct half_space_form {
-  using T = typename M::scalar;                ///< Scalar.
-  static constexpr int d = M::task_dimension;  ///< Task dimensions,
-  static constexpr int m = M::brake_count;     ///< brakes.
-  using force = approximated_force<T, d, m>;   ///< With the torques that produce it.
+  using T = typename M::scalar;                ///< Scalar type.
+  static constexpr int d = M::task_dimension;  ///< Task dimension.
+  static constexpr int m = M::brake_count;     ///< Number of brakes.
+  using force = approximated_force<T, d, m>;   ///< Force with its torques.
 
-  /// Fc for a desired force of 1 N: n itself, or the nearest force that the brakes can make with Fc . n = 1.
-  /// start: where the search begins, left for the next cycle.
+  /// Fc for a desired force of 1 N: n itself, or the nearest force with Fc . n = 1. Updates `start`.
   template <class Device>
   static force nearest(const Device& device, const desired_force<T, d>& Fd, T min_cosine,
                        approximation_start& start) {
@@ -57,40 +54,39 @@ struct half_space_form {
                        passive_haptics::brakes_off(device.s, device.brakes));
   }
 
-  /// Signs of the brakes for the first `count` of several demands of walls, `wall_count` of them, wall(j) the
-  /// desired force of wall j. A settled F gets them, too.
+  /// Brake signs for the first `count` demands of `wall_count` walls with desired forces wall(j).
   template <int Capacity, class Device, class Demands, class Wall>
   static const brake_vector<M>& signs(const Device& device, const Demands&, int, int, const Wall&,
                                       approximation_start&, force&) {
     return device.s;
   }
-  /// Signs of the brakes for effects in addition to walls, for which the brakes make F by the torques td.
+  /// Brake signs for effects in addition to walls, for which the brakes produce F with the torques td.
   template <class Device, class Effects>
   static const brake_vector<M>& signs_beside(const Device& device, const force&, const brake_vector<M>&,
                                              const Effects&, approximation_start&) {
     return device.s;
   }
-  /// Torques t [N m] without those that would drive a brake of sign s_i.
+  /// Torques t [N m], 0 for brakes of sign s_i that would drive.
   static brake_vector<M> without_driving(const brake_vector<M>& t, const brake_vector<M>& s) {
     return (s.array() * t.array() > T(0)).select(T(0), t);
   }
-  /// Commanded torques td [N m] as brakes of signs s produce them now.
+  /// Torques [N m] that brakes with signs s produce for the commands td [N m].
   template <class B>
   static const brake_vector<M>& resisting(const brake_vector<M>& td, const brake_vector<M>&, const B&) {
     return td;
   }
 
-  /// F = G t.
+  /// Map F = G t.
   template <class EMatrix>
   static force_map<T, d, m> map(const mechanism_pose<M>&, const EMatrix& E) {
     return invert_brake_jacobian(brake_matrix<M>(E));
   }
-  /// Units of torques of least norm: a force has one set of torques.
+  /// Units of torques of least norm. Irrelevant here because torques are unique.
   template <class B>
   static equal_units units(const brake_vector<M>&, const B&) {
     return {};
   }
-  /// True if brakes of signs s can make F, to rounding: s_i t_i <= 0 for t = E^T F, 0 if off. G: of map().
+  /// True if brakes with signs s can produce F, to rounding: s_i t_i <= 0 for t = E^T F, 0 if off.
   template <class Device>
   static bool is_in_cone(const Device& device, const brake_vector<M>& s, const brake_matrix<M>& G,
                          const force& F) {
@@ -106,14 +102,14 @@ struct half_space_form {
     return all;
   }
 
-  /// Sets F to the force of its torques. Returns the size of what adds up to it [N]: that of its rounding.
+  /// Sets F to the force of its torques. Returns the magnitude of its terms [N], for rounding bounds.
   template <class Device>
   static T set_force(force& F, const Device& device, const desired_force<T, d>& Fd,
                      const approximation_start&) {
     return detail::add_up(F, device, Fd, map(device.pose, device.E).G);
   }
 
-  /// The motions of the brakes in pose q, for design.
+  /// Motions of the brakes in pose q, for design.
   template <class B>
   static detail::ways_to_move<T, d, m> motions(const M& mechanism, const joint_vector<M>& q,
                                                const brake_matrix<M>& E, const B&) {
@@ -127,7 +123,7 @@ struct half_space_form {
                 moving.pseudo_inverse(),
             false};
   }
-  /// Fc for a unit force n while the end effector moves with v. Sets the signs, and the brakes held at rest.
+  /// Fc for a unit force n while the end effector moves with v. Sets the signs and the brakes held at rest.
   template <class B>
   static force nearest(const detail::ways_to_move<T, d, m>& moving, const brake_matrix<M>& E,
                        const task_vector<M>& v, const task_vector<M>& n, const B& brakes,
@@ -136,7 +132,7 @@ struct half_space_form {
     half_space_start start;
     return approximate(E, signs, n, T(0), start, brake_vector<M>(brakes_off(signs, brakes)));
   }
-  /// F [N] of torques t while the end effector moves and the brakes `held` are at rest.
+  /// Force F [N] of torques t while the end effector moves and the brakes `held` are at rest.
   static task_vector<M> force_in_motion(const mechanism_pose<M>& pose, const brake_vector<M>& t, brake_set) {
     return passive_haptics::force_generators(pose) * t;
   }

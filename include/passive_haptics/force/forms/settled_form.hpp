@@ -1,5 +1,4 @@
-/// @file
-/// The forces of a device with self-motion (n > d): the cones of all sets of brakes that can come to rest.
+/// Forces of a device with self-motion (n > d): the cones of all sets of brakes that can come to rest.
 #pragma once
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
@@ -14,8 +13,7 @@ namespace passive_haptics {
 
 namespace detail {
 
-// The motions of brakes once a self-motion has settled: rates w = W v for each set of brakes that can be at
-// rest.
+// Motions of brakes with a settled self-motion: rates w = W v for each set of brakes that can be at rest.
 template <class M>
 class settled_ways_to_move {
   using T = typename M::scalar;
@@ -25,13 +23,11 @@ class settled_ways_to_move {
  public:
   using rate_map = typename settled_rates<M>::rate_map;  ///< W
 
-  // Of the brakes in a pose, without those that make no torque.
   settled_ways_to_move(const mechanism_pose<M>& pose, brake_set without_torque)
       : rates_(pose, tolerance, without_torque) {}
 
   static constexpr status outcome() { return status::ok; }
   const settled_rates<M>& rates() const { return rates_; }
-  // visit(W) for each W.
   template <class Visit>
   void for_each(const Visit& visit) const {
     rates_.for_each([&](brake_set, const rate_map& W) {
@@ -39,16 +35,14 @@ class settled_ways_to_move {
       return false;
     });
   }
-  // The rate that rounding may make of none, for a unit velocity.
+  // Rounding error of a zero rate, for a unit velocity.
   T rate_dead_band() const { return tolerance * rates_.least_norm_rates().norm(); }
-  // s while the end effector moves with v.
   vector<T, m> signs(const rate_map& W, const vector<T, d>& v) const {
     brake_parameters<T, m> in_motion;
     in_motion.rate_dead_band.setConstant(rate_dead_band());
     return brake_signs<T, m>(W * v, vector<T, m>::Zero(), in_motion);
   }
-  // visit(w) for the rates w at which the end effector may move along n: W n of each W. None if the structure
-  // holds it.
+  // Calls visit(w) with w = W n for each W: the rates for motion along n. None if the structure prevents it.
   template <class Visit>
   void for_each_way(const vector<T, d>& n, const Visit& visit) const {
     if (rates_.held_by_structure(n).norm() > tolerance) return;
@@ -61,23 +55,23 @@ class settled_ways_to_move {
 
 }  // namespace detail
 
-/// The operations on the forces of M's brakes once its self-motion has settled.
+/// Operations on the forces of M's brakes with a settled self-motion.
 template <class M>
 struct settled_form : private half_space_form<M> {
-  using T = typename M::scalar;                ///< Scalar.
-  static constexpr int d = M::task_dimension;  ///< Task dimensions,
-  static constexpr int m = M::brake_count;     ///< brakes.
-  using force = settled_force<T, d, m>;        ///< With the torques that produce it, and settled signs.
+  using T = typename M::scalar;                ///< Scalar type.
+  static constexpr int d = M::task_dimension;  ///< Task dimension.
+  static constexpr int m = M::brake_count;     ///< Number of brakes.
+  using force = settled_force<T, d, m>;        ///< Force with torques and settled signs.
   using half_space_form<M>::is_in_cone;
   using half_space_form<M>::units;
 
-  /// What a push of the hand along the walls counts for in the velocity v' [m/s per N].
+  /// Contribution of a tangential hand force to the velocity v' [m/s per N].
   static constexpr double mobility = 0.005;
 
-  /// The velocity v' [m/s] by whose signs brakes are chosen: that of a handle which no longer sinks into any
-  /// of `count` walls, Fd(j) being what wall j demands, and which goes where the hand pushes along them. The
-  /// velocity now may only be that of the landing; and at rest it would leave all brakes without a sign, so
-  /// that any force looked possible. Cost: some products; four sweeps for several walls.
+  /// Velocity v' [m/s] by which the brake signs are chosen: the velocity v without its components into the
+  /// `count` walls, plus a contribution of the tangential hand force. Fd(j) is the demand of wall j. The
+  /// measured velocity may only be that of the landing, and at rest it would leave all brakes without a sign.
+  /// Cost: a few products; four sweeps for several walls.
   template <class Device, class Demands>
   static task_vector<M> landed_velocity(const Device& device, int count, const Demands& Fd) {
     task_vector<M> along = device.hand_force, landed = device.v;
@@ -91,8 +85,7 @@ struct settled_form : private half_space_form<M> {
     return landed + T(mobility) * along;
   }
 
-  /// Fc for a desired force of 1 N, by the signs at the landed velocity; where these display nothing, at the
-  /// velocity now. start: S of the cycle before.
+  /// Fc for a desired force of 1 N, with the signs of the landed velocity, or else of the current one.
   template <class Device>
   static force nearest(const Device& device, const desired_force<T, d>& Fd, T min_cosine,
                        approximation_start& start) {
@@ -100,7 +93,7 @@ struct settled_form : private half_space_form<M> {
     return nearest(device, landed, device.v, Fd.direction, min_cosine, start.held);
   }
 
-  /// Fc for a unit force n by the signs at a velocity v' [m/s], or if these display nothing at v. Updates S.
+  /// Fc for a unit force n with the signs of a velocity v' [m/s], or of v if they display nothing. Updates S.
   template <class Device>
   static force nearest(const Device& device, const task_vector<M>& landed, const task_vector<M>& v,
                        const task_vector<M>& n, T min_cosine, unsigned& held) {
@@ -112,8 +105,7 @@ struct settled_form : private half_space_form<M> {
     return F;
   }
 
-  /// S, s* and v' for the first `count` of several demands: at the landed velocity, or at v where that leaves
-  /// less of them by settled_gain (in a corner no velocity is left to choose brakes by). Updates S, `held`.
+  /// S, s* and v' for `count` demands, at the landed velocity, or at v if this gains settled_gain. Updates S.
   template <int Capacity, class Device>
   static force signs_at(const Device& device, const task_vector<M>& landed, const task_vector<M>& v,
                         const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
@@ -130,8 +122,7 @@ struct settled_form : private half_space_form<M> {
     return found.signs;
   }
 
-  /// Signs s* of the brakes for the first `count` of several demands of walls, `wall_count` of them, wall(j)
-  /// the desired force of wall j. F gets S, s* and v'.
+  /// Brake signs s* for `count` demands of `wall_count` walls with forces wall(j). Sets S, s* and v' of F.
   template <int Capacity, class Device, class Demands, class Wall>
   static brake_vector<M> signs(const Device& device, const Demands& demands, int count, int wall_count,
                                const Wall& wall, approximation_start& start, force& F) {
@@ -139,9 +130,9 @@ struct settled_form : private half_space_form<M> {
     F = signs_at<Capacity>(device, landed, device.v, demands, count, start.held);
     return F.signs;
   }
-  /// Signs of the brakes for effects in addition to walls, for which the brakes make F by the torques td:
-  /// those of the walls once they have settled, else those for the force of the effects. Brakes that walls
-  /// leave to joints with a torque of their own resist their rates now.
+  /// Brake signs for effects in addition to walls, for which the brakes produce F with the torques td: the
+  /// settled signs of the walls, or those for the force of the effects. Brakes without a wall torque on
+  /// joints with an effect torque keep the signs of their rates.
   template <class Device, class Effects>
   static brake_vector<M> signs_beside(const Device& device, const force& F, const brake_vector<M>& td,
                                       const Effects& effects, approximation_start& start) {
@@ -158,12 +149,11 @@ struct settled_form : private half_space_form<M> {
       if (td[i] == T(0) && (Tt.col(i).array() * effects.torque.array() != T(0)).any()) signs[i] = device.s[i];
     return signs;
   }
-  /// Torques t [N m] of a law: all of them, as signs change until the self-motion has settled.
+  /// Returns all torques t [N m] of a law, because signs change until the self-motion has settled.
   static const brake_vector<M>& without_driving(const brake_vector<M>& t, const brake_vector<M>&) {
     return t;
   }
-  /// Commanded torques td [N m] as brakes of signs s produce them now: td are capacities, and each brake
-  /// resists its rate now, if it can this way.
+  /// Torques [N m] that brakes with signs s produce for capacities td [N m], against their current rates.
   template <class B>
   static brake_vector<M> resisting(const brake_vector<M>& td, const brake_vector<M>& s,
                                    [[maybe_unused]] const B& brakes) {
@@ -172,20 +162,19 @@ struct settled_form : private half_space_form<M> {
     else return -s.cwiseProduct(td.cwiseAbs());
   }
 
-  /// F = G t of torques that leave the self-motion alone.
+  /// Map F = G t for torques without effect on the self-motion.
   template <class EMatrix>
   static force_map<T, d, m> map(const mechanism_pose<M>& pose, const EMatrix&) {
     return passive_haptics::force_map_of(settled_rates<M>(pose));
   }
-  /// Sets F to the force that brakes of the capacities F.torque make at the velocity now, once settled with
-  /// the brakes at rest of `start`, or with those of nearest() if these cannot be at rest. Returns the size
-  /// of what adds up to it [N]: that of its rounding.
+  /// Sets F to the settled force of the capacities F.torque at the current velocity, with the brakes at rest
+  /// of `start`, or else of nearest(). Returns the magnitude of its terms [N], for rounding bounds.
   template <class Device>
   static T set_force(force& F, const Device& device, const desired_force<T, d>& Fd,
                      approximation_start start) {
     const brake_vector<M> capacity = F.torque;
     F = {};
-    F.torque = capacity;  // a NaN of the law stays, whatever is known of S
+    F.torque = capacity;  // keeps a NaN of the law
     const settled_rates<M> rates = rates_of(device);
     typename settled_rates<M>::rate_map W;
     if (!rates.find(start.held, W)) {
@@ -195,7 +184,7 @@ struct settled_form : private half_space_form<M> {
     F.held = start.held;
     F.velocity = device.v;
     F.signs = settled_forces(rates, device.E, device.brakes, device.v).signs_of(W);
-    const brake_vector<M> sense = brake_torque(device.E, Fd.direction);  // of those at rest
+    const brake_vector<M> sense = brake_torque(device.E, Fd.direction);  // for brakes at rest
     const auto off = passive_haptics::brakes_off(F.signs, device.brakes);
     for (int i = 0; i < m; ++i)
       F.torque[i] = detail::is_off(off, i)
@@ -205,7 +194,7 @@ struct settled_form : private half_space_form<M> {
     return Fd.magnitude;
   }
 
-  /// The motions of the brakes in pose q, for design. Brakes that make no torque hold nothing.
+  /// Motions of the brakes in pose q, for design. Brakes without torque hold nothing.
   template <class B>
   static detail::settled_ways_to_move<M> motions(const M& mechanism, const joint_vector<M>& q,
                                                  const brake_matrix<M>&, const B& brakes) {
@@ -215,8 +204,7 @@ struct settled_form : private half_space_form<M> {
       if (!(box.lower[i] < T(0)) && !(box.upper[i] > T(0))) without_torque |= brake_set(1) << i;
     return {mechanism_pose<M>(mechanism, q), without_torque};
   }
-  /// Fc for a unit force n while the end effector moves with v, by the best set of brakes at rest. Sets the
-  /// signs, and that set.
+  /// Fc for a unit force n while the end effector moves with v. Sets the signs and the brakes at rest.
   template <class B>
   static force nearest(const detail::settled_ways_to_move<M>& moving, const brake_matrix<M>& E,
                        const task_vector<M>& v, const task_vector<M>& n, const B& brakes,
@@ -228,7 +216,7 @@ struct settled_form : private half_space_form<M> {
     held = Fc.held;
     return Fc;
   }
-  /// F [N] of torques t while the end effector moves and the brakes `held` are at rest; 0 if they cannot be.
+  /// Force F [N] of torques t in motion with the brakes `held` at rest; 0 if they cannot be.
   static task_vector<M> force_in_motion(const mechanism_pose<M>& pose, const brake_vector<M>& t,
                                         brake_set held) {
     typename settled_rates<M>::rate_map W;

@@ -1,5 +1,4 @@
-/// @file
-/// The rates at which brakes turn while the end effector moves.
+/// Brake rates while the end effector moves.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -9,7 +8,7 @@
 
 namespace passive_haptics::detail {
 
-// s of rates w = A v. A rate of the size that rounding of A and E makes it is none: E w = v.
+// Signs of the rates w = A v; 0 within the rounding errors of A and E, since E w = v.
 template <class T, int Brakes, int D>
 vector<T, Brakes> signs_in_motion(const matrix<T, Brakes, D>& A, const matrix<T, D, Brakes>& E,
                                   const vector<T, D>& v) {
@@ -19,9 +18,8 @@ vector<T, Brakes> signs_in_motion(const matrix<T, Brakes, D>& A, const matrix<T,
   return (w.array().abs() > rounding.array()).select(w.array().sign(), T(0));
 }
 
-// visit(w) for rates w with E w = n, none if the end effector cannot move so. Among all such rates, one of
-// these is the least sum of w_i, each times a constant of its sign: it is least where as many rates as can be
-// are 0, so sets of moving brakes are tried.
+// Calls visit(w) for rates w with E w = n, for all sets of moving brakes. One of them minimises any weighted
+// sum of |w_i| with sign-dependent weights, because the minimum has as many zero rates as possible.
 template <class T, int D, int Brakes, class Visit>
 void for_each_way(const matrix<T, D, Brakes>& E, const vector<T, D>& n, const Visit& visit) {
   const T tolerance = rounding_tolerance<T>(D + Brakes);
@@ -35,29 +33,26 @@ void for_each_way(const matrix<T, D, Brakes>& E, const vector<T, D>& n, const Vi
   }
 }
 
-// The motions of brakes without a self-motion: rates w = W v for a velocity v of the end effector.
+// Motions of brakes without a self-motion: rates w = W v for a velocity v of the end effector.
 template <class T, int D, int Brakes>
 class ways_to_move {
  public:
   using rate_map = matrix<T, Brakes, D>;  ///< W
 
-  // is_unique: the end effector moves along each n by the rates W n only.
+  // is_unique: W n are the only rates that move the end effector along n.
   ways_to_move(const matrix<T, D, Brakes>& E, const rate_map& W, bool is_unique)
       : E_(E), W_(W), is_unique_(is_unique) {}
 
   status outcome() const { return all_finite(W_) ? status::ok : status::singular_jacobian; }
   const rate_map& rates() const { return W_; }
-  // visit(W) for each W.
   template <class Visit>
   void for_each(const Visit& visit) const {
     visit(W_);
   }
-  // s while the end effector moves with v.
   vector<T, Brakes> signs(const rate_map& W, const vector<T, D>& v) const {
     return signs_in_motion(W, E_, v);
   }
-  // visit(w) for the rates w at which the end effector may move along n, of which one is the easiest,
-  // whatever the torques are.
+  // Calls visit(w) for rates w that move the end effector along n, including the easiest for any torques.
   template <class Visit>
   void for_each_way(const vector<T, D>& n, const Visit& visit) const {
     if (is_unique_) visit(vector<T, Brakes>(W_ * n));

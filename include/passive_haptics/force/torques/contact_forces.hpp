@@ -1,5 +1,4 @@
-/// @file
-/// One set of brake torques for several contacts.
+/// Brake torques for several contacts.
 #pragma once
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
@@ -16,26 +15,25 @@
 
 namespace passive_haptics {
 
-/// What one of several contacts demands of the brakes.
+/// Demand of one of several contacts on the brakes.
 template <class T, int D>
 struct contact_demand {
-  vector<T, D> normal;  ///< n_j, unit, out of the wall.
-  T force;              ///< a_j, wanted n_j . F [N], >= 0.
-  bool has_priority;    ///< Met before the others: a contact being left, where nothing may remain normal.
+  vector<T, D> normal;  ///< Outward unit normal n_j.
+  T force;              ///< Desired n_j . F = a_j [N], >= 0.
+  bool has_priority;    ///< Met before the others: a contact that is being left, where no normal force may
+                        ///< remain.
 };
 
-/// What the force F of the brakes at the end effector can be: F = G t, where P t = 0. P is 0 for n = d away
-/// from singular poses, and for redundant brakes.
+/// Forces F = G t of torques with P t = 0. P is 0 for n = d, except at singular poses.
 template <class T, int D, int Brakes>
 struct force_map {
   matrix<T, D, Brakes> G;  ///< [N per N m]
-  /// Of torques, what moves the device without moving the end effector.
+  /// Component of torques that moves the device but not the end effector.
   matrix<T, Brakes, Brakes> P = matrix<T, Brakes, Brakes>::Zero();
 };
 
-/// The force map of a device whose torques and forces are tied by t = E^T F: G is the pseudo-inverse of E^T,
-/// so it is also defined at singular poses, for the forces that brakes can make there. Cost: one
-/// decomposition of m x d; of 2 x 2 the inverse, to a few roundings of each entry.
+/// Force map of a device with t = E^T F: G is the pseudo-inverse of E^T, which is also defined at singular
+/// poses. Cost: one m x d decomposition; for 2 x 2 the inverse, to a few roundings per entry.
 template <class T, int D, int Brakes>
 force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
   constexpr T tolerance = rounding_tolerance<T>(Brakes);
@@ -50,7 +48,7 @@ force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
   return map;
 }
 
-/// The force map of a device with self-motion: F = (T J^+)^T t of torques with (T N)^T t = 0.
+/// Force map of a device with self-motion: F = (T J^+)^T t for torques with (T N)^T t = 0.
 template <class M>
 force_map<typename M::scalar, M::task_dimension, M::brake_count> force_map_of(const settled_rates<M>& rates) {
   constexpr int m = M::brake_count, rows = m < M::dof ? m : M::dof;
@@ -59,9 +57,9 @@ force_map<typename M::scalar, M::task_dimension, M::brake_count> force_map_of(co
   return map;
 }
 
-/// Torques in the box that leave the self-motion alone, whose force G t comes nearest to Fd, of the least
-/// norm: the nearest force within limits of a device with n > d. For the force that signs alone allow see
-/// nearest_force. Cost: core/linear/least_squares_by_priority.hpp, three levels.
+/// Least-norm torques in the box that do not affect the self-motion, with G t nearest to Fd: the nearest
+/// force within limits for n > d. Without limits, see nearest_force. Cost:
+/// core/linear/least_squares_by_priority.hpp, three levels.
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const force_map<T, D, Brakes>& map,
                                                    const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {
@@ -71,21 +69,19 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const force_map<T, D, Brakes>
   return {t, map.G * t};
 }
 
-/// Torques for several contacts and what became of each.
+/// Torques for several contacts and the displayed force of each.
 template <class T, int D, int Brakes, int Capacity>
 struct contact_forces_result {
-  vector<T, Brakes> torque;                                     ///< t [N m], in the box exactly.
+  vector<T, Brakes> torque;                                     ///< t [N m], exactly in the box.
   vector<T, D> force;                                           ///< F = G t [N].
   std::array<T, static_cast<std::size_t>(Capacity)> displayed;  ///< n_j . F [N]; 0 beyond the demands.
 };
 
-/// Torques t in the box whose force F = G t gives, in this order of priority: n_j . F = a_j for every demand
-/// that is first; as near as possible for the others, in the sum of squares; the least |F| (least drag); the
-/// least |t / u|. One demand that is first gives F = alpha Fc of (12). Opposed walls do not cancel, and a
-/// demand of 5e4 N does not drown one of 2 N that is first. Cost: core/linear/least_squares_by_priority.hpp,
-/// five levels.
-///
-/// drag: what shall be least, |drag t|, where that is not |F|. u: units from form_of<M>::units.
+/// Torques t in the box with F = G t such that, in this order of priority: n_j . F = a_j for each demand with
+/// priority; least squares for the other demands; least |F| (drag); least |t / u|. One demand with priority
+/// gives F = alpha Fc of (12). Opposed walls do not cancel, and a demand of 5e4 N does not affect one of 2 N
+/// with priority. Cost: core/linear/least_squares_by_priority.hpp, five levels. drag: minimises |drag t|
+/// instead of |F|. u: units from form_of<M>::units.
 template <class T, int D, int Brakes, int Capacity, class Units = equal_units>
 contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
@@ -98,8 +94,7 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const auto& demand = nth(demands, j);
     demand_level& level = demand.has_priority ? first : others;
     level.A.row(j) = demand.normal.transpose() * map.G;
-    level.b[j] =
-        std::min(demand.force, max_force * level.A.row(j).norm());  // torques for more might overflow
+    level.b[j] = std::min(demand.force, max_force * level.A.row(j).norm());  // avoids overflow of torques
   }
   const vector<T, Brakes> t = least_squares_by_priority<Brakes + Capacity + D>(
       box.lower, box.upper, least_squares_level{map.P}, first, others, least_squares_level{drag},
@@ -113,7 +108,7 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
   return result;
 }
 
-/// Torques in the box for the demands of several contacts, with the least |F|.
+/// As above, minimising |F|.
 template <class T, int D, int Brakes, int Capacity>
 contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,

@@ -1,5 +1,4 @@
-/// @file
-/// Brake torques whose force comes nearest to a desired one: the generator form.
+/// Brake torques with the force nearest to a desired one: the generator form.
 #pragma once
 
 #include <passive_haptics/brake/torque_interval.hpp>
@@ -12,22 +11,21 @@
 
 namespace passive_haptics {
 
-/// Torques that brakes of signs s may have: s_i t_i <= 0 and |t_i| <= limit_i.
+/// Torques of brakes with signs s: s_i t_i <= 0 and |t_i| <= limit_i.
 template <class T, int Brakes>
 struct torque_box {
   vector<T, Brakes> lower;  ///< [N m]
   vector<T, Brakes> upper;  ///< [N m]
 };
 
-/// The box of torques for signs s (-1, 0 or 1; 0 restricts only by the limit) and limits [N m], which may be
-/// infinite.
+/// Torque box for signs s (-1, 0 or 1; 0 allows both directions) and limits [N m], which may be infinite.
 template <class T, int Brakes>
 torque_box<T, Brakes> torques_within(const vector<T, Brakes>& s, const vector<T, Brakes>& limit) {
   const lanes<T, Brakes> sign(s), most(limit);
   return {select(sign < T(0), T(0), -most), select(sign > T(0), T(0), most)};
 }
 
-/// The box of torques that these brakes can make with signs s, from signs_within.
+/// Torque box of these brakes with signs s, from signs_within.
 template <class B, class T, int Brakes>
 torque_box<T, Brakes> torque_box_of(const vector<T, Brakes>& s, const B& brakes) {
   torque_box<T, Brakes> box = torques_within(s, passive_haptics::torque_limits_of<T, Brakes>(brakes));
@@ -36,7 +34,7 @@ torque_box<T, Brakes> torque_box_of(const vector<T, Brakes>& s, const B& brakes)
   return box;
 }
 
-/// torque_box_of without bounds: of a brake in a direction in which it can make any torque, all.
+/// torque_box_of without limits: nonzero bounds become infinite.
 template <class B, class T, int Brakes>
 torque_box<T, Brakes> unbounded_torque_box_of(const vector<T, Brakes>& s, const B& brakes) {
   constexpr T infinity = std::numeric_limits<T>::infinity();
@@ -49,17 +47,16 @@ torque_box<T, Brakes> unbounded_torque_box_of(const vector<T, Brakes>& s, const 
   }
 }
 
-/// Nearest force and the torques that make it.
+/// Nearest force and its torques.
 template <class T, int D, int Brakes>
 struct nearest_torque_result {
-  vector<T, Brakes>
-      torque;          ///< t [N m], in the box exactly; of the least |t| among those that make the force.
-  vector<T, D> force;  ///< Fp = G t [N], to rounding of its terms.
+  vector<T, Brakes> torque;  ///< t [N m], exactly in the box; of least |t| for this force.
+  vector<T, D> force;        ///< Fp = G t [N], to rounding of its terms.
 };
 
 namespace detail {
 
-// In a box: as near as possible first, then the least norm
+// Minimises the distance first, then the norm
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_in_box(const matrix<T, D, Brakes>& G,
                                                    const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {
@@ -74,7 +71,7 @@ nearest_torque_result<T, D, Brakes> nearest_in_box(const matrix<T, D, Brakes>& G
   return {t.solution(), G * t.solution()};
 }
 
-// Which way each brake may push without limits: t_i = way_i x_i with x_i >= 0, or any x_i. 0: not at all
+// Directions without limits: t_i = way_i x_i with x_i >= 0, or any x_i. 0: no torque
 template <class T, int Brakes>
 struct open_ways {
   vector<T, Brakes> way;           // -1, 0 or 1
@@ -89,7 +86,7 @@ struct open_ways {
   }
 };
 
-// A brake that pushes both ways contributes two generators, + and - its column of V
+// A brake with both directions contributes two generators, + and - its column of V
 template <class T, int D, int Brakes>
 [[gnu::noinline]] nearest_torque_result<T, D, Brakes> nearest_both_ways(const matrix<T, D, Brakes>& V,
                                                                         const lane_mask<T, Brakes>& both_ways,
@@ -104,7 +101,7 @@ template <class T, int D, int Brakes>
   return {x.template head<Brakes>() - x.template tail<Brakes>(), nearest.point};
 }
 
-// V = G diag(way), in units in which the squares of V are numbers
+// V = G diag(way), scaled so that its squares neither overflow nor underflow
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_of_generators(const matrix<T, D, Brakes>& G,
                                                           open_ways<T, Brakes> ways, const vector<T, D>& Fd) {
@@ -127,11 +124,10 @@ nearest_torque_result<T, D, Brakes> nearest_of_generators(const matrix<T, D, Bra
 
 }  // namespace detail
 
-/// The force F = G t nearest to Fd that brakes of signs s (-1, 0 or 1; 0 may have any torque) can make
-/// without limits, s_i t_i <= 0, by the torques of least |t|: they are unique, so that neighbouring states
-/// get neighbouring torques. G (d x m) from force_generators, Fd of moderate norm. F is the projection of Fd
-/// on the cone of displayable forces (generator form); 0 where G is not finite. Cost:
-/// core/linear/generated_cone.hpp for d <= 3, else core/linear/prioritised_least_squares.hpp.
+/// Force F = G t nearest to Fd of brakes with signs s (-1, 0 or 1; 0 allows any torque) without limits, s_i
+/// t_i <= 0, with the torques of least |t|. They are unique and continuous. G (d x m) from force_generators,
+/// Fd of moderate norm. F is 0 if G is not finite. Cost: core/linear/generated_cone.hpp for d <= 3, else
+/// core/linear/prioritised_least_squares.hpp.
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G, const vector<T, Brakes>& s,
                                                    const vector<T, D>& Fd) {
@@ -142,13 +138,13 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
   }
 }
 
-/// The force G t nearest to Fd, over torques t in a box. If the bounds are 0 and infinite, it is the cone.
-/// Cost: core/linear/prioritised_least_squares.hpp, two levels.
+/// Force G t nearest to Fd over torques t in a box; the cone if the bounds are 0 and infinite. Cost:
+/// core/linear/prioritised_least_squares.hpp, two levels.
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G,
                                                    const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {
   if constexpr (D <= 3) {
-    // t + t = t is 0 or infinite
+    // t + t = t if t is 0 or infinite
     const lanes<T, Brakes> down = abs(lanes(box.lower)), up = abs(lanes(box.upper));
     if (bits((down + down <= down) & (up + up <= up)) == detail::all_columns<Brakes>)
       return detail::nearest_of_generators(G, detail::open_ways<T, Brakes>(box), Fd);
@@ -156,7 +152,7 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
   return detail::nearest_in_box(G, box, Fd);
 }
 
-/// Both for a diagonal G.
+/// Nearest torque, by signs or box, for a diagonal G.
 template <class T, int D, class Within>
 nearest_torque_result<T, D, D> nearest_torque(const diagonal_matrix<T, D>& G, const Within& signs_or_box,
                                               const vector<T, D>& Fd) {

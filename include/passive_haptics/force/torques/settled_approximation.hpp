@@ -1,6 +1,4 @@
-/// @file
-/// Force approximation for a device whose self-motion settles: which brakes come to rest, and what the others
-/// then display.
+/// Force approximation for a settled self-motion: brakes at rest, and forces of the others.
 #pragma once
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
@@ -17,15 +15,14 @@
 
 namespace passive_haptics {
 
-/// What another set of brakes at rest must be better by, in cos(gamma), before it takes over: between sets
-/// that are as good as each other the tangential part of a force would jump with each count of the encoders.
+/// Required advantage in cos(gamma) before another set of brakes at rest is selected. Without it, the
+/// tangential force would jump with each encoder count between equally good sets.
 inline constexpr double settled_gain = 0.1;
 
-/// The forces that brakes can display of a device whose handle moves with v, once its self-motion has
-/// settled: F belongs to them if T^T t = J^T F and if some self-motion z gives t_i (T (qd + N z))_i <= 0 for
-/// all i. They are the cones of all sets of brakes that can come to rest. A brake that is off (in `rates`,
-/// too) makes nothing. Where a one-way brake of S would have to hold the other way, the others make what
-/// leaves it out of that: the nearest force of torques that leave the self-motion alone (force_map).
+/// Displayable forces of a device with handle velocity v and settled self-motion: F belongs to them if T^T t
+/// = J^T F and some self-motion z gives t_i (T (qd + N z))_i <= 0 for all i. They are the cones of all sets
+/// of brakes that can come to rest. A brake that is off (also in `rates`) has no torque. If a one-way brake
+/// of S would have to hold the other way, the other brakes produce the nearest force without it (force_map).
 template <class M, class EMatrix, class B>
 class settled_forces {
   using T = typename M::scalar;
@@ -33,23 +30,22 @@ class settled_forces {
   static constexpr bool has_intervals = SwitchableBrakes<B, T, m>;
 
  public:
-  using force = settled_force<T, d, m>;                  ///< With its signs.
+  using force = settled_force<T, d, m>;                  ///< Force with its signs.
   using rate_map = typename settled_rates<M>::rate_map;  ///< W_S
 
-  /// Of brakes with these rates, E of the pose and a velocity v [m/s]. Lives no longer than they.
+  /// Brakes with these rates, E of the pose and a velocity v [m/s]. The arguments must outlive this object.
   settled_forces(const settled_rates<M>& rates, const EMatrix& E, const B& brakes, const vector<T, d>& v)
       : rates_(rates), E_(E), brakes_(brakes), v_(v) {}
 
-  /// s* where the brakes of S are at rest, from W_S: 0 for these, and for others within their dead band, but
-  /// that of its way for one that works one way.
+  /// s* for the set S at rest: 0 for its brakes and within the dead band, except for one-way brakes.
   vector<T, m> signs_of(const rate_map& W) const {
     return signs_within(brake_signs<T, m>(W * v_, vector<T, m>::Zero(), brakes_), brakes_);
   }
 
-  /// Fc for a unit desired force n, as in approximate(), of the set S for which cos(gamma) is largest: exact
-  /// where n can be displayed by some set. previous: the S of the cycle before, kept until another one gains
-  /// settled_gain; 0 for none. Cost: an elimination and a projection for each set, at most C(m, r); one where
-  /// the previous one is kept by far.
+  /// Fc for a unit desired force n, as in approximate(), with the set S of maximum cos(gamma); exact if some
+  /// set can display n. previous: S of the previous cycle, kept until another one gains settled_gain; 0 for
+  /// none. Cost: an elimination and a projection for each of at most C(m, r) sets; one if the
+  /// previous set is clearly kept.
   force nearest(const vector<T, d>& n, T min_cosine, brake_set previous = 0) const {
     const T least = std::max(min_cosine, rounding_tolerance<T>(d));
     candidate kept, best;
@@ -70,11 +66,11 @@ class settled_forces {
   /// A choice of S for several contacts.
   struct choice {
     force signs;                ///< S, s* and v'; no force.
-    settled_shortfall<T> left;  ///< Of the demands; infinite where there is no set.
+    settled_shortfall<T> left;  ///< Unmet share of the demands; infinite if there is no set.
   };
 
-  /// S, s* and v' for the first `count` of several contacts: those by which brakes without limits leave least
-  /// of the demands that come first, then of the others, then of |F|. Kept as in nearest(). Cost: a
+  /// S, s* and v' for the first `count` contacts: brakes without limits leave the smallest share of the
+  /// demands with priority, then of the others, then the least |F|. Kept as in nearest(). Cost: a
   /// contact_forces of m - r brakes for each set.
   template <int Capacity>
   choice signs_under_demands(
@@ -124,18 +120,17 @@ class settled_forces {
     brake_set S = 0;
     rate_map W = rate_map::Zero();
     vector<T, m> signs = vector<T, m>::Zero();
-    T cosine = T(0);             // 0 where nothing is displayed, 1 where n is
+    T cosine = T(0);             // 0 if nothing is displayed, 1 if n is
     bool is_restricted = false;  // by one-way brakes of S
   };
 
-  // The brakes that turn and their forces F = G t, G = W_S^T
+  // The rotating brakes and their forces F = G t, G = W_S^T
   template <int Brakes>
   struct active_brakes {
-    matrix<T, d, Brakes> G;                                    // 0 for one that is off
+    matrix<T, d, Brakes> G;                                    // 0 for a brake that is off
     vector<T, Brakes> s;                                       // their signs
-    std::array<int, static_cast<std::size_t>(Brakes)> number;  // which they are
+    std::array<int, static_cast<std::size_t>(Brakes)> number;  // their indices
 
-    // t of these, 0 for the others
     vector<T, m> of_all(const vector<T, Brakes>& t) const {
       vector<T, m> all = vector<T, m>::Zero();
       for (int k = 0; k < Brakes; ++k) all[nth(number, k)] = t[k];
@@ -143,7 +138,7 @@ class settled_forces {
     }
   };
 
-  // Whether a one-way brake of S would have to hold F the other way, beyond rounding
+  // True if a one-way brake of S would have to hold F the other way, beyond rounding
   bool must_hold_otherwise(brake_set S, const vector<T, m>& signs, const vector<T, d>& F) const {
     const vector<T, m> t = brake_torque(E_, F);
     const T rounding = rounding_tolerance<T>(d + m) * matrix<T, d, m>(E_).norm() * F.norm();
@@ -152,7 +147,7 @@ class settled_forces {
     return some;
   }
 
-  // The nearest force to n of brakes of which those of S hold their way alone
+  // Nearest force to n if brakes of S only hold one way
   nearest_torque_result<T, d, m> nearest(const candidate& c, const vector<T, d>& n) const {
     const auto box = unbounded_torque_box_of(c.signs, brakes_);
     return nearest_torque(passive_haptics::force_map_of(rates_), box, n);
@@ -172,7 +167,7 @@ class settled_forces {
     c.cosine = exact ? T(1) : cosine >= least ? std::min(cosine, T(1) - rounding_tolerance<T>(1)) : T(0);
   }
 
-  // visit(active) of the brakes that turn, m - r as a rule, else all
+  // Calls visit(active) with the rotating brakes, usually m - r, else all
   template <class Visit>
   auto visit_active(brake_set S, const rate_map& W, const vector<T, m>& signs, const Visit& visit) const {
     constexpr int moving = m - r;
@@ -195,7 +190,7 @@ class settled_forces {
     return active;
   }
 
-  // The point of nearest_torque without its torques, where that is less work
+  // Point of nearest_torque without its torques, if this is cheaper
   template <int Brakes>
   static vector<T, d> nearest(const active_brakes<Brakes>& active, const vector<T, d>& n) {
     constexpr T max_square = sizeof(T) > sizeof(float) ? T(1e60) : T(1e15);
@@ -206,8 +201,7 @@ class settled_forces {
     return detail::face_of(matrix<T, d, Brakes>(G * vector<T, Brakes>(-active.s).asDiagonal()), n).point;
   }
 
-  // Fc = Fp / |Fp|^2 and t = E^T Fc. Where rounding left a brake a torque that it should not or cannot have,
-  // it is exactly 0
+  // Fc = Fp / |Fp|^2 and t = E^T Fc. Clears torques that are rounding errors or that the brake cannot have
   force force_of(const candidate& c, const vector<T, d>& n) const {
     force F;
     F.velocity = v_;

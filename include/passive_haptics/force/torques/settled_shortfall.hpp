@@ -1,5 +1,4 @@
-/// @file
-/// How much a set of brakes at rest leaves of several demands.
+/// Shortfall of several demands for a set of brakes at rest.
 #pragma once
 
 #include <cmath>
@@ -8,14 +7,14 @@
 
 namespace passive_haptics {
 
-/// What a set leaves of several demands, as shares of all of them.
+/// Unmet shares of several demands.
 template <class T>
 struct settled_shortfall {
-  T first = std::numeric_limits<T>::infinity();  ///< Of those that come first.
-  T others = first;                              ///< Of the others.
+  T first = std::numeric_limits<T>::infinity();  ///< Demands with priority.
+  T others = first;                              ///< Other demands.
   T force = first;                               ///< |F| [N]
 
-  /// That of forces met (contact_forces_result) for the first `count` of these demands.
+  /// Shortfall of the forces `met` (contact_forces_result) for the first `count` demands.
   template <class Met, class Demands>
   static settled_shortfall of(const Met& met, const Demands& demands, int count) {
     T left[2] = {}, wanted = T(0);
@@ -29,7 +28,7 @@ struct settled_shortfall {
     return {left[0] / whole, left[1] / whole, met.force.norm()};
   }
 
-  /// Whether it is less by more than a gain, in this order.
+  /// Lexicographic comparison with a gain.
   bool is_less_than(const settled_shortfall& b, T gain) const {
     if (!(std::abs(first - b.first) <= gain)) return first < b.first;
     if (!(std::abs(others - b.others) <= gain)) return others < b.others;

@@ -1,16 +1,12 @@
-/// @file
-/// In which units the torques of least norm are least: parts of what each brake can make.
+/// Units of brake torques, for solutions of least norm.
 ///
-/// Where several sets of torques make the same force, those of the least |t / t_max| are taken, t_max_i being
-/// the most that brake i can make with its sign. So N and N m are not added, and a strong brake takes the
-/// greater part: a force grows further before the first limit is reached.
+/// If several sets of torques produce the same force, the one of least |t / t_max| is selected, where t_max_i
+/// is the maximum torque of brake i with its sign. N and N m are not added, and strong brakes carry more.
 ///
-///     t = u y, the least |y|, u_i = t_max_i / (the largest t_max)
+///     t = u y, least |y|, u_i = t_max_i / (maximum of all t_max)
 ///
-/// A brake with t_max_i = 0 is off, u_i = 0; of others u_i is at least 1e-8 (1e-4 in float), so that rounding
-/// loses no column of G u. Where some t_max is infinite, u_i = 1 for all brakes that are on, and where no
-/// limit is named, for all: the least |t|. Equal limits give u_i = 1 exactly, and so the same torques to the
-/// bit.
+/// A brake with t_max_i = 0 is off, u_i = 0. Otherwise u_i >= 1e-8 (1e-4 in float), so that rounding loses no
+/// column of G u. If some t_max is infinite or missing, u_i = 1 for all brakes that are on.
 #pragma once
 
 #include <passive_haptics/core/linear/elimination.hpp>
@@ -23,10 +19,10 @@
 
 namespace passive_haptics {
 
-/// In place of a vector of units: 1 for each brake.
+/// Replaces a vector of units that are all 1.
 struct equal_units {};
 
-/// u (m) of the largest magnitudes t_max [N m], >= 0, that brakes can make.
+/// Units u (m) for maximum torques t_max [N m], >= 0.
 template <class T, int Brakes>
 vector<T, Brakes> torque_units(const vector<T, Brakes>& t_max) {
   constexpr T least = std::numeric_limits<T>::digits > 30 ? T(1e-8) : T(1e-4);
@@ -39,14 +35,14 @@ vector<T, Brakes> torque_units(const vector<T, Brakes>& t_max) {
   return u;
 }
 
-/// 1 / u (m), which turns torques into the parts y; 1 for a brake that is off, which cannot move.
+/// 1 / u (m), which converts torques to y; 1 for a brake that is off.
 template <class T, int Brakes, class Units>
 vector<T, Brakes> parts_per_torque([[maybe_unused]] const Units& u) {
   if constexpr (std::is_same_v<Units, equal_units>) return vector<T, Brakes>::Ones();
   else return (u.array() > T(0)).select(u.cwiseInverse(), T(1));
 }
 
-/// The last of several levels, whatever is left: the least |y| of t = u y.
+/// Last of several levels: minimises |y|, t = u y.
 template <class T, int Brakes, class Units>
 auto min_torque_level([[maybe_unused]] const Units& u) {
   if constexpr (std::is_same_v<Units, equal_units>) {
@@ -56,7 +52,7 @@ auto min_torque_level([[maybe_unused]] const Units& u) {
         matrix<T, Brakes, Brakes>(passive_haptics::parts_per_torque<T, Brakes>(u).asDiagonal())};
   }
 }
-/// The least |y - y_0|, t_0 = u y_0.
+/// Minimises |y - y_0|, t_0 = u y_0.
 template <class T, int Brakes, class Units>
 auto min_torque_level(const Units& u, const vector<T, Brakes>& t_0) {
   auto level = passive_haptics::min_torque_level<T, Brakes>(u);

@@ -1,4 +1,3 @@
-/// @file
 /// A mechanism with brakes on some of its joints.
 #pragma once
 
@@ -19,12 +18,12 @@ inline constexpr bool are_different_numbers = [] {
 }();
 }  // namespace detail
 
-/// The mechanism M with some of its brakes alone, by their numbers from 0; the other joints are free:
+/// The mechanism M with selected brakes, by number from 0; the other joints are free:
 ///
-///     const ph::braked_joints<decltype(arm), 0, 2> light(arm);  // of three joints the first and the last
+///     const ph::braked_joints<decltype(arm), 0, 2> light(arm);  // the first and last of three joints
 ///
-/// A mechanism without a transmission has brake i on joint i; one with tendons keeps those of their brakes.
-/// What can be displayed is less: F must also leave the free joints without torque (design/displayable.hpp).
+/// Without a transmission, brake i is on joint i; brakes on tendons keep theirs. Fewer forces can be
+/// displayed, because F must not load the free joints (design/displayable.hpp).
 template <class M, int... Brakes>
 class braked_joints : public wrapped_mechanism<M> {
   static_assert(sizeof...(Brakes) > 0 && detail::are_different_numbers<M::brake_count, Brakes...>,
@@ -36,12 +35,12 @@ class braked_joints : public wrapped_mechanism<M> {
   using rows_of = matrix<typename std::remove_cvref_t<Transmission>::Scalar, Rows, M::dof>;
 
  public:
-  static constexpr int brake_count = m;  ///< m
+  static constexpr int brake_count = m;  ///< Number of brakes m.
 
-  /// Of the mechanism.
+  /// Selects brakes of this mechanism.
   explicit braked_joints(M mechanism) : wrapped_mechanism<M>(std::move(mechanism)) {}
 
-  /// T (m x n): the chosen rows.
+  /// Selected rows of T (m x n).
   matrix<T, m, M::dof> transmission() const
     requires(!detail::transmission_depends_on_pose<M>)
   {
@@ -49,13 +48,13 @@ class braked_joints : public wrapped_mechanism<M> {
       return chosen(transmission_matrix<M>(this->mechanism().transmission()));
     else return chosen(matrix<T, M::dof, M::dof>(matrix<T, M::dof, M::dof>::Identity()));
   }
-  /// T (m x n) of q or of a pose: the chosen rows.
+  /// Selected rows of T (m x n) for q or a pose.
   template <class Q, class X = M>
   auto transmission(const Q& q) const -> rows_of<decltype(std::declval<const X&>().transmission(q)), m> {
     return chosen(rows_of<decltype(this->mechanism().transmission(q)), M::brake_count>(
         this->mechanism().transmission(q)));
   }
-  /// Td qd (m): the chosen rows.
+  /// Selected rows of Td qd (m).
   vector<T, m> brake_bias_acceleration(const joint_vector<M>& q, const joint_vector<M>& qd) const
     requires requires(const M& inner) { inner.brake_bias_acceleration(q, qd); }
   {

@@ -1,5 +1,4 @@
-/// @file
-/// Where the joints of a serial chain are in a pose.
+/// Joints of a serial chain in a pose.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -12,48 +11,46 @@
 
 namespace passive_haptics {
 
-/// Where the joints of a chain are in a pose, base frame.
+/// Joints and handle of a chain in a pose, base frame.
 template <class T, int N, int D>
 struct chain_pose {
-  std::array<vector<T, D>, std::size_t(N)> axis;   ///< Of joint i; in the plane 0 if it turns.
-  std::array<vector<T, D>, std::size_t(N)> point;  ///< The point of body i that lies on its joint [m].
+  std::array<vector<T, D>, std::size_t(N)> axis;   ///< Axis of joint i; 0 for a planar revolute joint.
+  std::array<vector<T, D>, std::size_t(N)> point;  ///< Point of body i on its joint [m].
   vector<T, D> handle;                             ///< End effector [m].
 };
 
-/// What inertia needs beside. With the angular and linear part of each joint's motion, revolute and prismatic
-/// joints obey the same formulas.
+/// Adds body motions, with the same formulas for revolute and prismatic joints.
 template <class T, int N, int D>
 struct chain_bodies : chain_pose<T, N, D> {
-  std::array<matrix<T, D, D>, std::size_t(N)> turn;  ///< Orientation of body i: of a frame of its own.
-  /// Angular velocity per unit rate of joint i; 0 if it slides.
+  std::array<matrix<T, D, D>, std::size_t(N)> turn;  ///< Orientation of the frame of body i.
+  /// Angular velocity per unit rate of joint i; 0 if prismatic.
   std::array<angular_vector<T, D>, std::size_t(N)> rotation;
-  std::array<vector<T, D>, std::size_t(N)> sliding;  ///< Velocity per unit rate of joint i; 0 if it turns.
+  std::array<vector<T, D>, std::size_t(N)> sliding;  ///< Velocity per unit rate of joint i; 0 if revolute.
 };
 
 namespace detail {
 
-/// A joint in the zero pose.
 template <class T, int D>
 struct zero_pose_joint {
   bool turns;
-  vector<T, D> axis;    // unit vector; unused in a revolute planar joint
-  vector<T, D> offset;  // from the point of the body before [m]
+  vector<T, D> axis;    // unit vector; unused in a planar revolute joint
+  vector<T, D> offset;  // from the point of the previous body [m]
 };
 
-/// The bodies' frames of a chain: from q to a pose.
+/// Frames of the bodies of a chain: q to pose.
 template <class T, int N, int D>
 class chain_frames;
 
-/// In the plane a body's frame is the base frame in the zero pose.
+/// Planar frames, equal to the base frame in the zero pose.
 template <class T, int N>
 class chain_frames<T, N, 2> {
  public:
-  using joints = std::array<zero_pose_joint<T, 2>, std::size_t(N)>;  ///< Of the chain.
+  using joints = std::array<zero_pose_joint<T, 2>, std::size_t(N)>;  ///< Joints of the chain.
 
   /// tip: from the last body's point to the handle [m].
   chain_frames(const joints& all, const vector<T, 2>& tip) : joints_(all), tip_(tip) {}
 
-  /// All joints and the handle. each(i, A) receives the orientation A() of body i.
+  /// Joints and handle. Calls each(i, A) with the orientation A() of body i.
   template <class Each>
   [[gnu::always_inline]] chain_pose<T, N, 2> follow(const vector<T, N>& q, Each&& each) const {
     chain_pose<T, N, 2> at;
@@ -82,7 +79,6 @@ class chain_frames<T, N, 2> {
     return at;
   }
 
-  /// Orientation of a body in the zero pose.
   matrix<T, 2, 2> zero(std::size_t) const { return matrix<T, 2, 2>::Identity(); }
 
  private:
@@ -90,15 +86,14 @@ class chain_frames<T, N, 2> {
   vector<T, 2> tip_;
 };
 
-/// In space z is the joint's axis, so that a joint turns two columns only. Body i turns about z by q_i and a
-/// phase, then a twist about x brings z to the next axis: the angles of Denavit and Hartenberg, with any
-/// offset between the joints.
+/// Spatial frames with z along the joint axis, so that a joint rotates only two columns. Body i rotates about
+/// z by q_i and a phase; a twist about x then brings z to the next axis. These are the angles of Denavit and
+/// Hartenberg, with any offset between the joints.
 template <class T, int N>
 class chain_frames<T, N, 3> {
  public:
-  using joints = std::array<zero_pose_joint<T, 3>, std::size_t(N)>;  ///< Of the chain.
+  using joints = std::array<zero_pose_joint<T, 3>, std::size_t(N)>;  ///< Joints of the chain.
 
-  /// tip: from the last body's point to the handle [m].
   chain_frames(const joints& all, const vector<T, 3>& tip) : start_(all[0].offset) {
     first_ = to_axis(matrix<T, 3, 3>::Identity(), all[0].axis).of(matrix<T, 3, 3>::Identity());
     matrix<T, 3, 3> B = first_;
@@ -114,7 +109,6 @@ class chain_frames<T, N, 3> {
     }
   }
 
-  /// All joints and the handle. each(i, A) receives the orientation A() of body i.
   template <class Each>
   [[gnu::always_inline]] chain_pose<T, N, 3> follow(const vector<T, N>& q, Each&& each) const {
     using column = lanes<T, 3>;
@@ -143,17 +137,15 @@ class chain_frames<T, N, 3> {
     return at;
   }
 
-  /// Orientation of body i in the zero pose.
   const matrix<T, 3, 3>& zero(std::size_t i) const { return zero_[i]; }
 
  private:
   struct body {
     bool turns;
     sine_cosine_pair<T> twist;  // about x, to the axis of the next joint
-    vector<T, 3> to_next;       // to the next joint's point, or to the handle [m], this frame
+    vector<T, 3> to_next;       // to the next joint's point, or to the handle [m], in this frame
   };
 
-  // A turn about z, then one about x.
   struct z_then_x {
     sine_cosine_pair<T> phase = {T(0), T(1)}, twist = {T(0), T(1)};
 
@@ -162,7 +154,7 @@ class chain_frames<T, N, 3> {
     }
   };
 
-  // The turn of B that points its z along the axis.
+  // The rotation of B that aligns its z with the axis.
   static z_then_x to_axis(const matrix<T, 3, 3>& B, const vector<T, 3>& axis) {
     const vector<T, 3> u = B.transpose() * axis;  // (sin phase sin twist, -cos phase sin twist, cos twist)
     const T length = std::hypot(u[0], u[1]);
@@ -170,7 +162,6 @@ class chain_frames<T, N, 3> {
     return {{u[0] / length, -u[1] / length}, {length, u[2]}};
   }
 
-  // u and v turned in the plane that they span.
   [[gnu::always_inline]] static void turn(lanes<T, 3>& u, lanes<T, 3>& v, const sine_cosine_pair<T>& angle) {
     const lanes<T, 3> before = u;
     u = angle.cosine * u + angle.sine * v;
@@ -179,7 +170,7 @@ class chain_frames<T, N, 3> {
 
   vector<T, 3> start_;          // point of joint 1 [m]
   matrix<T, 3, 3> first_;       // frame with z along joint 1
-  vector<T, N> turns_, phase_;  // body i turns about z by turns_i q_i + phase_i: turns_i is 0 if it slides
+  vector<T, N> turns_, phase_;  // body i rotates about z by turns_i q_i + phase_i; turns_i is 0 if prismatic
   std::array<body, std::size_t(N)> bodies_;
   std::array<matrix<T, 3, 3>, std::size_t(N)> zero_;
 };

@@ -1,4 +1,3 @@
-/// @file
 /// Inertia of the links of a serial chain.
 #pragma once
 
@@ -10,14 +9,14 @@ namespace passive_haptics {
 
 namespace detail {
 
-/// Error unless a rigid body can have this inertia: no principal moment over the sum of the others.
+/// Error unless a rigid body can have this inertia: no principal moment exceeds the sum of the others.
 template <class T>
 std::string check_inertia(const char* name, const matrix<T, 3, 3>& inertia) {
   const T size = inertia.cwiseAbs().maxCoeff();
   const T rounding = rounding_tolerance<T>(3) * size;
   if (!((inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= rounding))
     return std::string(name).append(" is not finite and symmetric, expected a finite symmetric matrix");
-  // int r r^T dm, which no mass makes indefinite
+  // int r r^T dm, positive semidefinite for any mass distribution
   const matrix<T, 3, 3> second_moment =
       (inertia.trace() / T(2) + rounding) * matrix<T, 3, 3>::Identity() - inertia;
   if (cholesky<T, 3>(second_moment).is_positive_definite()) return "";
@@ -33,22 +32,21 @@ std::string check_inertia(const char* name, const matrix<T, 1, 1>& inertia) {
 
 }  // namespace detail
 
-/// A rigid link in the zero pose, base frame. There is no usual mass: the default is refused.
+/// A rigid link in the zero pose, base frame. The default mass is invalid and must be set.
 template <class T, int D>
 struct link_inertia {
   T mass = T(0);                               ///< [kg], > 0.
   vector<T, D> centre = vector<T, D>::Zero();  ///< Centre of mass [m].
-  /// [kg m^2]; symmetric; 1 x 1 in the plane.
+  /// Moment of inertia [kg m^2]; symmetric; 1 x 1 if planar.
   inertia_matrix<T, D> about_centre = inertia_matrix<T, D>::Zero();
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = link_inertia;
     return member_table(member("mass", &p::mass, "kg", range::positive),
                         member("centre", &p::centre, "m", range::finite),
                         member("about_centre", &p::about_centre, "kg m^2"));
   }
-  /// It is that of a rigid body.
+  /// The inertia is that of a rigid body.
   std::string rules() const { return detail::check_inertia<T>("about_centre [kg m^2]", about_centre); }
 };
 
@@ -59,7 +57,7 @@ link_inertia<T, D> uniform_rod(T mass, const vector<T, D>& from, const vector<T,
   return {mass, (from + to) / T(2), detail::rigid_body_algebra<T, D>::point_inertia(mass / T(12), along)};
 }
 
-/// Both bodies as one.
+/// Combines two bodies.
 template <class T, int D>
 link_inertia<T, D> joined(const link_inertia<T, D>& a, const link_inertia<T, D>& b) {
   const T mass = a.mass + b.mass;
@@ -70,16 +68,15 @@ link_inertia<T, D> joined(const link_inertia<T, D>& a, const link_inertia<T, D>&
               detail::rigid_body_algebra<T, D>::point_inertia(share * a.mass, apart)};
 }
 
-/// Inertia of a serial chain: a link a joint, the rotors of the brakes, what the hand holds, gravity.
+/// Inertia of a serial chain: links, brake rotors, handle and gravity.
 template <class T, int N, int D>
 struct serial_chain_inertia {
   std::array<link_inertia<T, D>, std::size_t(N)> links = {};  ///< Link i moves with joint i.
-  /// On the joints' axes [kg m^2, or kg]; that of two_link.
+  /// On the joint axes [kg m^2 or kg]; as in two_link.
   vector<T, N> rotor_inertia = vector<T, N>::Constant(T(5e-5));
-  T handle_mass = T(0.1);                       ///< Point mass at the end effector [kg]; that of two_link.
+  T handle_mass = T(0.1);                       ///< Point mass at the end effector [kg]; as in two_link.
   vector<T, D> gravity = vector<T, D>::Zero();  ///< [m/s^2]; zero: horizontal or counterbalanced.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = serial_chain_inertia;
     return member_table(member("links", &p::links),

@@ -1,5 +1,4 @@
-/// @file
-/// The vector algebra of rotating bodies, the same expressions in the plane and in space.
+/// Vector algebra of rotating bodies, planar and spatial.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -8,7 +7,7 @@
 
 namespace passive_haptics {
 
-/// Numbers in an angular velocity: 1 in the plane (about z, out of it), 3 in space.
+/// Size of an angular velocity: 1 if planar (about z), 3 if spatial.
 template <int D>
 inline constexpr int angular_size = D == 2 ? 1 : 3;
 
@@ -16,13 +15,12 @@ inline constexpr int angular_size = D == 2 ? 1 : 3;
 template <class T, int D>
 using angular_vector = vector<T, angular_size<D>>;
 
-/// Moment of inertia [kg m^2]: 1 x 1 in the plane, 3 x 3 in space.
+/// Moment of inertia [kg m^2]: 1 x 1 if planar, 3 x 3 if spatial.
 template <class T, int D>
 using inertia_matrix = matrix<T, angular_size<D>, angular_size<D>>;
 
 namespace detail {
 
-/// A turned about its own z axis.
 template <class T>
 [[gnu::always_inline]] inline matrix<T, 3, 3> turned_about_z(const matrix<T, 3, 3>& A, T cosine, T sine) {
   matrix<T, 3, 3> B;
@@ -30,7 +28,6 @@ template <class T>
   return B;
 }
 
-/// A turned about its own x axis.
 template <class T>
 [[gnu::always_inline]] inline matrix<T, 3, 3> turned_about_x(const matrix<T, 3, 3>& A, T cosine, T sine) {
   matrix<T, 3, 3> B;
@@ -38,25 +35,20 @@ template <class T>
   return B;
 }
 
-/// The products that rotating bodies need. One name a role, so that Eigen expressions convert without doubt.
+/// Products for rotating bodies. Named after their roles, so that Eigen expressions convert unambiguously.
 template <class T, int D>
 struct rigid_body_algebra;
 
-/// In the plane.
 template <class T>
 struct rigid_body_algebra<T, 2> {
   using angular = vector<T, 1>;  ///< About z.
-  using linear = vector<T, 2>;   ///< In the plane.
+  using linear = vector<T, 2>;
   using turn = matrix<T, 2, 2>;  ///< Rotation.
 
-  /// w x r, the velocity of r.
   static linear velocity(const angular& w, const linear& r) { return {-w[0] * r[1], w[0] * r[0]}; }
-  /// r x f, the moment of f.
   static angular moment(const linear& r, const linear& f) { return angular(r[0] * f[1] - r[1] * f[0]); }
-  /// v x w of two angular vectors, parallel in the plane.
   static angular gyroscopic(const angular&, const angular&) { return angular::Zero(); }
 
-  /// r turned by `angle` [rad]; there is one axis only. One sine and one cosine.
   template <class S>
   static vector<S, 2> turned(const linear&, const S& angle, const vector<S, 2>& r) {
     using std::cos, std::sin;
@@ -64,16 +56,13 @@ struct rigid_body_algebra<T, 2> {
     return {c * r[0] - s * r[1], s * r[0] + c * r[1]};
   }
 
-  /// Inertia of a body after the turn: the number it was.
   static inertia_matrix<T, 2> inertia(const turn&, const inertia_matrix<T, 2>& i) { return i; }
 
-  /// Inertia of a point mass at r about the origin, m |r|^2.
   static inertia_matrix<T, 2> point_inertia(T mass, const linear& r) {
     return inertia_matrix<T, 2>(mass * r.squaredNorm());
   }
 };
 
-/// In space.
 template <class T>
 struct rigid_body_algebra<T, 3> {
   using angular = vector<T, 3>;  ///< Base frame.
@@ -87,8 +76,7 @@ struct rigid_body_algebra<T, 3> {
   /// v x w of two angular vectors.
   static angular gyroscopic(const angular& v, const angular& w) { return cross(v, w); }
 
-  /// r turned by `angle` [rad] about the unit vector `axis` (Rodrigues): with w the axis,
-  /// r + sin w x r + (1 - cos) w x (w x r).
+  /// r rotated by `angle` [rad] about the unit vector w: r + sin w x r + (1 - cos) w x (w x r) (Rodrigues).
   template <class S>
   static vector<S, 3> turned(const angular& axis, const S& angle, const vector<S, 3>& r) {
     using std::cos, std::sin;
@@ -97,7 +85,7 @@ struct rigid_body_algebra<T, 3> {
     return r + s * across + v * cross(w, across);
   }
 
-  /// Inertia of a body after the turn, A I A^T.
+  /// Inertia of a body after a rotation, A I A^T.
   static inertia_matrix<T, 3> inertia(const turn& A, const inertia_matrix<T, 3>& i) {
     return A * i * A.transpose();
   }

@@ -1,5 +1,4 @@
-/// @file
-/// Any serial chain of revolute and prismatic joints, in the plane or in space.
+/// Planar or spatial serial chain of revolute and prismatic joints.
 #pragma once
 
 #include <passive_haptics/mechanism/chains/chain_pose.hpp>
@@ -8,44 +7,42 @@
 
 namespace passive_haptics {
 
-/// N joints in series, planar (D = 2) or spatial (D = 3), a product of exponentials of joint screws S_i:
+/// N joints in series, planar (D = 2) or spatial (D = 3), as a product of exponentials of joint screws S_i:
 ///
 ///     x = exp(S_1 q_1) ... exp(S_N q_N) x_0,   J_i = z_i x (x - p_i) (revolute),  z_i (prismatic),
 ///
-/// z_i and p_i the axis of joint i and a point on it in the pose, x_0 the handle in the zero pose. Task:
-/// position only. A brake on each joint. More joints than task dimensions (N > D) is a device with
-/// self-motion. Singular where the columns of J do not span the task, e.g. a straight planar arm. Cost of
-/// position or jacobian: one sine and one cosine for each revolute joint. For inertia see
-/// serial_chain_with_inertia.hpp.
+/// with the axis z_i of joint i, a point p_i on it, and the handle x_0 in the zero pose. The task is a
+/// position, without orientation. Each joint has a brake. A chain with N > D has self-motion. Singular if the
+/// columns of J do not span the task, e.g. for a straight planar arm. Cost of position or jacobian: one sine
+/// and cosine per revolute joint. For inertia see serial_chain_with_inertia.hpp.
 template <class T, int N, int D>
 class serial_chain {
   static_assert((D == 2 || D == 3) && N >= 2 && N >= D,
                 "passive_haptics: serial_chain<T, N, D> needs D = 2 or 3 and N >= D joints.");
 
  public:
-  using scalar = T;                         ///< Scalar of all lengths and angles.
-  static constexpr int dof = N;             ///< n
-  static constexpr int task_dimension = D;  ///< d
-  static constexpr int brake_count = N;     ///< m
+  using scalar = T;                         ///< Scalar type.
+  static constexpr int dof = N;             ///< Joints n.
+  static constexpr int task_dimension = D;  ///< Task dimensions d.
+  static constexpr int brake_count = N;     ///< Brakes m.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit serial_chain(const serial_chain_parameters<T, N, D>& p)
       : p_(require_valid(p)),
         joints_(joints_of(p)),
         tip_(p.handle - zero_point(size - 1)),
         frames_(joints_, tip_) {}
 
-  /// No copy of a class that is made of this one: what that class adds would be lost.
+  /// Prevents slicing of derived classes.
   template <detail::extends<serial_chain> Larger>
   serial_chain(const Larger&) = delete;  // passive_haptics: would lose what the larger class adds
-  /// No assignment of a class that is made of this one.
+  /// Prevents slicing of derived classes.
   template <detail::extends<serial_chain> Larger>
   serial_chain& operator=(const Larger&) = delete;  // passive_haptics: would lose what the larger class adds
 
-  /// The parameters as given.
-  const serial_chain_parameters<T, N, D>& parameters() const { return p_; }
+  const serial_chain_parameters<T, N, D>& parameters() const { return p_; }  ///< The parameters as given.
 
-  /// End effector [m], base frame. Any scalar S that can be made from T.
+  /// End effector [m], base frame, for any scalar S that T converts to.
   template <class S = T>
   vector<S, D> position(const vector<S, N>& q) const {
     vector<S, D> x = tip_.template cast<S>();
@@ -71,13 +68,13 @@ class serial_chain {
     return J;
   }
 
-  /// All joints and the handle. Cost: one sine and one cosine for each revolute joint.
+  /// Joints and handle. Cost: one sine and cosine per revolute joint.
   chain_pose<T, N, D> pose(const vector<T, N>& q) const {
     return frames_.follow(q, [](std::size_t, const auto&) {});
   }
 
  protected:
-  /// A pose with the bodies' orientations.
+  /// A pose with the orientations of the bodies.
   chain_bodies<T, N, D> bodies(const vector<T, N>& q) const {
     chain_bodies<T, N, D> at;
     const auto turn = [&](std::size_t i, const auto& A) { at.turn[i] = A(); };
@@ -92,7 +89,7 @@ class serial_chain {
     return at;
   }
 
-  /// The zero-pose point [m] that body i is measured from.
+  /// Reference point of body i in the zero pose [m].
   vector<T, D> zero_point(std::size_t i) const {
     vector<T, D> p = vector<T, D>::Zero();
     for (std::size_t k = 0; k <= i; ++k) p += joints_[k].offset;
@@ -107,7 +104,7 @@ class serial_chain {
   static constexpr std::size_t size = std::size_t(N);
   using joints = std::array<detail::zero_pose_joint<T, D>, size>;
 
-  // Of the handle per unit rate of joint i
+  // Handle velocity per unit rate of joint i
   vector<T, D> velocity(const chain_pose<T, N, D>& at, std::size_t i) const {
     if (!joints_[i].turns) return at.axis[i];
     const vector<T, D> r = at.handle - at.point[i];
@@ -121,7 +118,7 @@ class serial_chain {
     for (std::size_t i = 0; i < size; ++i) {
       auto& to = all[i];
       to.turns = p.joints[i].kind == joint_kind::revolute;
-      // A slide has no point of its own: its body is measured from the point before
+      // A prismatic joint has no point, so its body is measured from the previous point
       const vector<T, D> point = to.turns ? p.joints[i].point : previous;
       to.axis = to.turns && D == 2 ? vector<T, D>::Zero().eval() : direction_of(p.joints[i].axis);
       to.offset = point - previous;

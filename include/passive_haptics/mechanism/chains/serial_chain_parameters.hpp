@@ -1,5 +1,4 @@
-/// @file
-/// Geometry of a serial chain: the screws of its joints and its handle, all in the zero pose.
+/// Geometry of a serial chain in its zero pose: joint screws and handle.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -10,28 +9,26 @@
 
 namespace passive_haptics {
 
-/// How a joint moves.
+/// Type of a joint.
 enum class joint_kind {
-  revolute,   ///< Turns about its axis, q in rad.
+  revolute,   ///< Rotates about its axis, q in rad.
   prismatic,  ///< Slides along its axis, q in m.
 };
 
-/// One joint of a serial chain in the zero pose, base frame, plane (D = 2) or space (D = 3).
-/// No default is a usable joint of a spatial chain: there is no usual geometry.
+/// One joint of a chain in the zero pose, base frame. The default of a spatial joint is invalid.
 template <class T, int D>
 struct chain_joint {
-  joint_kind kind = joint_kind::revolute;  ///< Turns or slides.
-  /// Direction, any length > 0; not read in a revolute planar joint.
+  joint_kind kind = joint_kind::revolute;  ///< Revolute or prismatic.
+  /// Direction, any length > 0; unused for a planar revolute joint.
   vector<T, D> axis = vector<T, D>::Zero();
-  vector<T, D> point = vector<T, D>::Zero();  ///< On the axis [m]; not read in a prismatic joint.
+  vector<T, D> point = vector<T, D>::Zero();  ///< Point on the axis [m]; unused for a prismatic joint.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = chain_joint;
     return member_table(choice("kind", &p::kind, "revolute, prismatic"), member("axis", &p::axis, "1"),
                         member("point", &p::point, "m", range::anything));
   }
-  /// Of what is read.
+  /// Checks the members in use.
   error_message rules() const {
     const bool turns = kind == joint_kind::revolute;
     if (turns && D == 2) return check_value("point", point, "m", range::finite);
@@ -40,39 +37,38 @@ struct chain_joint {
   }
 };
 
-/// Joint that turns counterclockwise in the plane about `point` [m].
+/// Revolute joint of a planar chain at `point` [m], counterclockwise.
 template <class T>
 chain_joint<T, 2> revolute_joint(const vector<T, 2>& point) {
   return {joint_kind::revolute, vector<T, 2>::Zero(), point};
 }
 
-/// Joint that turns in space, right-handed about the line along `axis` through `point` [m].
+/// Revolute joint of a spatial chain, right-handed about the line along `axis` through `point` [m].
 template <class T>
 chain_joint<T, 3> revolute_joint(const vector<T, 3>& axis, const vector<T, 3>& point) {
   return {joint_kind::revolute, axis, point};
 }
 
-/// Joint that slides along `axis`.
+/// Prismatic joint along `axis`.
 template <class T, int D>
 chain_joint<T, D> prismatic_joint(const vector<T, D>& axis) {
   return {joint_kind::prismatic, axis, vector<T, D>::Zero()};
 }
 
-/// N joints from the base outwards, and the handle. From DH parameters: denavit_hartenberg.hpp.
+/// N joints from the base outwards, and the handle. For DH parameters see denavit_hartenberg.hpp.
 template <class T, int N, int D>
 struct serial_chain_parameters {
-  std::array<chain_joint<T, D>, std::size_t(N)> joints = {};  ///< No default fits.
-  /// End effector, zero pose [m]; no default.
+  std::array<chain_joint<T, D>, std::size_t(N)> joints = {};  ///< Must be set.
+  /// End effector, zero pose [m]; must be set.
   vector<T, D> handle = vector<T, D>::Constant(std::numeric_limits<T>::quiet_NaN());
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = serial_chain_parameters;
     return member_table(member("joints", &p::joints), member("handle", &p::handle, "m", range::finite));
   }
 };
 
-/// Planar arm of revolute joints, all its links [m] along x in the zero pose; joint i turns from link i - 1.
+/// Planar arm with revolute joints and links of these lengths [m], along x in the zero pose.
 template <class T, std::size_t N>
 serial_chain_parameters<T, int(N), 2> planar_arm(const std::array<T, N>& lengths) {
   serial_chain_parameters<T, int(N), 2> p;

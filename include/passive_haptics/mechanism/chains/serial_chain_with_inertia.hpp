@@ -1,4 +1,3 @@
-/// @file
 /// A serial chain that models Dynamics.
 #pragma once
 
@@ -8,14 +7,13 @@
 
 namespace passive_haptics {
 
-/// serial_chain with inertia. M by composite rigid bodies, c by recursive Newton-Euler; rotors add their
-/// inertia about the joint axis only. M is positive definite wherever rotors or links resist each joint: a
-/// rotor inertia > 0 on every joint suffices. Cost: as jacobian, and some N^2 (M) or N (c, Jd qd) cross
-/// products.
+/// Serial chain with inertia: M by composite rigid bodies, c by recursive Newton-Euler. Rotors add inertia
+/// only about the joint axis. M is positive definite if each joint moves a rotor or link inertia; a rotor
+/// inertia > 0 on every joint suffices. Cost: jacobian plus about N^2 (M) or N (c, Jd qd) cross products.
 template <class T, int N, int D>
 class serial_chain_with_inertia : public serial_chain<T, N, D> {
  public:
-  /// Throws std::invalid_argument with the text of validate(geometry) or validate(inertia).
+  /// Throws std::invalid_argument if validate(geometry) or validate(inertia) returns an error.
   serial_chain_with_inertia(const serial_chain_parameters<T, N, D>& geometry,
                             const serial_chain_inertia<T, N, D>& inertia)
       : serial_chain<T, N, D>(geometry), inertia_(require_valid(inertia)), links_(inertia_.links) {
@@ -28,19 +26,18 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
     }
   }
 
-  /// The inertia as given.
-  const serial_chain_inertia<T, N, D>& inertia() const { return inertia_; }
+  const serial_chain_inertia<T, N, D>& inertia() const { return inertia_; }  ///< The inertia as given.
 
-  /// All joints, the handle and the bodies.
+  /// Joints, handle and bodies.
   chain_bodies<T, N, D> pose(const vector<T, N>& q) const { return this->bodies(q); }
 
-  /// M [kg m^2, kg m or kg], rotors included.
+  /// M [kg m^2, kg m or kg], including rotors.
   matrix<T, N, N> mass_matrix(const chain_bodies<T, N, D>& at) const {
     matrix<T, N, N> M;
-    link_inertia<T, D> outer;  // all bodies from j outwards, as one
+    link_inertia<T, D> outer;  // all bodies from j outwards
     for (std::size_t j = size; j-- > 0;) {
       outer = j == last ? placed(at, j) : joined<T, D>(placed(at, j), outer);
-      // Momentum of those bodies for a unit rate of joint j
+      // Momentum of these bodies for a unit rate of joint j
       const vector<T, D> v = at.sliding[j] + algebra::velocity(at.rotation[j], outer.centre - at.point[j]);
       const vector<T, D> linear = outer.mass * v;
       const angular angular_about_centre = outer.about_centre * at.rotation[j];
@@ -53,15 +50,14 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
     return M;
   }
 
-  /// M(q)
-  matrix<T, N, N> mass_matrix(const vector<T, N>& q) const { return mass_matrix(pose(q)); }
+  matrix<T, N, N> mass_matrix(const vector<T, N>& q) const { return mass_matrix(pose(q)); }  ///< M(q)
 
-  /// c [N m or N]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
+  /// c [N m or N]: Coriolis, centrifugal and gravity torques.
   vector<T, N> bias_torque(const chain_bodies<T, N, D>& at, const vector<T, N>& qd) const {
     const motion moves(at, qd);
     vector<T, N> c;
-    vector<T, D> force = vector<T, D>::Zero();  // that the bodies from i outwards need [N]
-    angular moment = angular::Zero();           // and about the point of joint i [N m]
+    vector<T, D> force = vector<T, D>::Zero();  // on the bodies from i outwards [N]
+    angular moment = angular::Zero();           // about the point of joint i [N m]
     for (std::size_t i = size; i-- > 0;) {
       if (i < last) moment += algebra::moment(at.point[i + 1] - at.point[i], force);
       const link_inertia<T, D> link = placed(at, i);
@@ -81,7 +77,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
     return bias_torque(pose(q), qd);
   }
 
-  /// Jd qd [m/s^2], the handle's acceleration where all joints keep their rates.
+  /// Jd qd [m/s^2], the handle acceleration at constant joint rates.
   vector<T, D> bias_acceleration(const chain_bodies<T, N, D>& at, const vector<T, N>& qd) const {
     return motion(at, qd).acceleration_at(last, at.handle - at.point[last]);
   }
@@ -95,7 +91,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
   using angular = angular_vector<T, D>;
   static constexpr std::size_t size = std::size_t(N), last = size - 1;
 
-  // Angular velocity and, with constant joint rates, accelerations of all bodies
+  // Angular velocities of all bodies, and accelerations at constant joint rates
   struct motion {
     std::array<angular, size> w, wd;
     std::array<vector<T, D>, size> a;  // of the bodies' points
@@ -107,7 +103,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
         const vector<T, D> r = at.point[i] - p0;
         const vector<T, D> slip = qd[int(i)] * at.sliding[i];
         const angular turn = qd[int(i)] * at.rotation[i];
-        // The last term is Coriolis acceleration in a sliding joint
+        // The last term is the Coriolis acceleration in a prismatic joint
         a0 += algebra::velocity(wd0, r) + algebra::velocity(w0, algebra::velocity(w0, r)) +
               T(2) * algebra::velocity(w0, slip);
         wd0 += algebra::gyroscopic(w0, turn);
@@ -117,13 +113,12 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
       }
     }
 
-    // Of the point at r [m] from the point of body i
+    // Acceleration of the point at r [m] from the point of body i
     vector<T, D> acceleration_at(std::size_t i, const vector<T, D>& r) const {
       return a[i] + algebra::velocity(wd[i], r) + algebra::velocity(w[i], algebra::velocity(w[i], r));
     }
   };
 
-  // Link i in the pose, base frame
   link_inertia<T, D> placed(const chain_bodies<T, N, D>& at, std::size_t i) const {
     const link_inertia<T, D>& link = links_[i];
     return {link.mass, at.point[i] + at.turn[i] * link.centre,
@@ -131,7 +126,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
   }
 
   serial_chain_inertia<T, N, D> inertia_;
-  // From the body's point, its own frame; the last one with the handle
+  // Relative to the body's point and frame; the last one includes the handle
   std::array<link_inertia<T, D>, size> links_;
 };
 

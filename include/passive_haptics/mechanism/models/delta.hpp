@@ -1,5 +1,4 @@
-/// @file
-/// A delta: three arms that move a platform in space without turning it.
+/// A delta: three arms that translate a platform in space.
 #pragma once
 
 #include <passive_haptics/core/nth.hpp>
@@ -16,44 +15,41 @@ namespace passive_haptics {
 
 /// Branch of one arm of a delta.
 enum class delta_elbow {
-  outward,  ///< The elbow lies on the outer side of the line from the base joint down to the platform: usual.
-  inward,   ///< It lies on the other side.
+  outward,  ///< The elbow is on the outer side of the line from the base joint to the platform: usual.
+  inward,   ///< The elbow is on the inner side.
 };
 
-/// Three arms at 0, 120 and 240 deg about z, with radial directions e_i; base joints in the plane
-/// z = 0, measured and braked, q_i [rad] from the horizontal, downwards; forearms are parallelograms, so the
-/// platform keeps its attitude. With the platform's radius moved into the base
-/// (R = base_radius - platform_radius) its middle x lies on three spheres of radius l about the elbows:
+/// Three arms at 0, 120 and 240 deg about z with radial directions e_i. The base joints in the plane z = 0
+/// are measured and braked, q_i [rad] downwards from the horizontal. The forearms are parallelograms, so the
+/// platform only translates. With R = base_radius - platform_radius, the middle x of the platform is on three
+/// spheres of radius l about the elbows:
 ///
 ///     P_i = (R + L cos q_i) e_i - L sin q_i e_z,   |x - P_i| = l.
 ///
-/// Where the spheres do not meet, the loop cannot be closed. Where two elbows coincide to rounding, the
-/// platform may be anywhere on a circle. In both cases position, jacobian and all else are NaN, and a step
-/// reports status::pose_undefined. Singular (conditioning returns how nearly): type 1, a forearm in the plane
-/// that upper arm and joint axis span; type 2, the forearms coplanar or two parallel, where J is unbounded.
+/// If the spheres do not meet or two elbows coincide to rounding, all results are NaN, and a step reports
+/// status::pose_undefined. Singular, see conditioning(): type 1, a forearm in the plane of upper arm and
+/// joint axis; type 2, forearms coplanar or two parallel, with unbounded J.
 ///
-/// Dynamics with the usual lumped forearms: half of each forearm's mass at its elbow, half at the platform.
-/// Cost: three sines, three cosines and some square roots; jacobian some products and a division more.
+/// Dynamics with lumped forearms: half of each mass at its elbow, half at the platform. Cost: three sines and
+/// cosines and some square roots; jacobian adds some products and a division.
 template <class T>
 class delta : public leg_chain<delta<T>, T, 3> {
  public:
-  static constexpr int brake_count = 3;          ///< m
+  static constexpr int brake_count = 3;          ///< Brakes m.
   static constexpr bool handle_rotates = false;  ///< The platform only translates.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit delta(const delta_parameters<T>& p = {})
       : p_(require_valid(p)),
         rounding_square_(square_of_rounding(p)),
         side_(p.assembly == delta_assembly::upper ? T(1) : T(-1)) {}
 
-  /// The parameters as given.
-  const delta_parameters<T>& parameters() const { return p_; }
+  const delta_parameters<T>& parameters() const { return p_; }  ///< The parameters as given.
 
   using leg_chain<delta<T>, T, 3>::position;
 
-  /// Middle of the platform [m], base frame: from the circumcentre of the elbows, at right angles to their
-  /// plane. The height is a product of differences of lengths, so no squares cancel. Any scalar S that
-  /// multiplies with T.
+  /// Middle of the platform [m], base frame, for any scalar S that multiplies with T. From the circumcentre
+  /// of the elbows.
   template <class S = T>
   vector<S, 3> position(const vector<S, 3>& q) const {
     const auto angle = sine_cosine(q);
@@ -61,13 +57,13 @@ class delta : public leg_chain<delta<T>, T, 3> {
                   elbow_point(2, lever(2, angle[2])));
   }
 
-  /// Base angles in [-pi, pi] that put the platform at x [m] with these elbows. If an arm is too short or too
-  /// long (it then points at x), or if all reach but the platform lies on the side of the other assembly, the
-  /// outcome is out_of_reach. Then position(q) is not x.
+  /// Base angles in [-pi, pi] for the platform at x [m] with these elbows; out_of_reach if an arm is too
+  /// short or too long (it then points at x), or if the platform is in the other assembly; position(q) is
+  /// then not x.
   joint_solution<T, 3> inverse(const vector<T, 3>& x, const std::array<delta_elbow, 3>& elbows = {}) const {
     joint_solution<T, 3> solution;
     for (int i = 0; i < 3; ++i) {
-      // In the arm's own plane: outwards and down; the forearm leans out of it by `aside`
+      // In the plane of the arm: outwards and down; the forearm leaves it by `aside`
       const vector<T, 3> e = radial(i);
       const T outwards = x[0] * e[0] + x[1] * e[1] - (p_.base_radius - p_.platform_radius);
       const T aside = x[1] * e[0] - x[0] * e[1];
@@ -86,7 +82,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
     return solution;
   }
 
-  /// M [kg m^2], rotors included.
+  /// M [kg m^2], including rotors.
   matrix<T, 3, 3> mass_matrix(const distal_links<T, 3>& at) const {
     const matrix<T, 3, 3> J = at.jacobian();
     const T arm = (p_.upper_arm_mass / T(3) + p_.forearm_mass / T(2)) * p_.upper_arm * p_.upper_arm;
@@ -94,10 +90,9 @@ class delta : public leg_chain<delta<T>, T, 3> {
     M.diagonal() += p_.rotor_inertia + vector<T, 3>::Constant(arm);
     return M.template selfadjointView<Eigen::Lower>();
   }
-  /// M(q)
-  matrix<T, 3, 3> mass_matrix(const vector<T, 3>& q) const { return mass_matrix(legs(q)); }
+  matrix<T, 3, 3> mass_matrix(const vector<T, 3>& q) const { return mass_matrix(legs(q)); }  ///< M(q)
 
-  /// c [N m]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
+  /// c [N m]: Coriolis, centrifugal and gravity torques.
   vector<T, 3> bias_torque(const distal_links<T, 3>& at, const vector<T, 3>& qd) const {
     const matrix<T, 3, 3> J = at.jacobian();
     const T arm = (p_.upper_arm_mass + p_.forearm_mass) / T(2);  // as if at the elbow
@@ -111,7 +106,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
 
  private:
   friend class leg_chain<delta<T>, T, 3>;
-  // What moves with the platform [kg]
+  // Mass that moves with the platform [kg]
   T moved_mass() const { return p_.platform_mass + T(3) / T(2) * p_.forearm_mass; }
 
   static vector<T, 3> radial(int i) {
@@ -127,7 +122,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
     return {e[0] * out, e[1] * out, -p_.upper_arm * angle.sine};
   }
 
-  // Moved inwards by the platform's radius
+  // Moved inwards by the platform radius
   template <class S>
   vector<S, 3> elbow_point(int i, const vector<S, 3>& arm) const {
     const vector<T, 3> e = radial(i);
@@ -148,7 +143,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
     return P1.array() + (aa * bn.array() + bb * na.array()) * to_centre + height * n.array();
   }
 
-  // With the platform at x, or else where it is
+  // With the platform at x, or at its pose for q
   distal_links<T, 3> legs(const vector<T, 3>& q, const vector<T, 3>* x = nullptr) const {
     distal_links<T, 3> at;
     std::array<vector<T, 3>, 3> P;
@@ -165,13 +160,12 @@ class delta : public leg_chain<delta<T>, T, 3> {
     return at;
   }
 
-  // NaN where two elbows coincide to rounding.
   template <class S>
   S nan_if_degenerate(const S& square) const {
     return square > S(rounding_square_) ? square : S(std::numeric_limits<T>::quiet_NaN());
   }
 
-  // Square of the rounding of the area that the elbows span [m^4]: angles are rounded to eps, too.
+  // Square of the rounding error of the area of the elbows [m^4]; angles are rounded to eps, too.
   static T square_of_rounding(const delta_parameters<T>& p) {
     const T size = p.base_radius + p.platform_radius + p.upper_arm;
     const T rounding = rounding_tolerance<T>(1) * size * size;
@@ -180,7 +174,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
 
   delta_parameters<T> p_;
   T rounding_square_;
-  T side_;  // 1: the platform above the plane of the elbows
+  T side_;  // 1: the platform is above the plane of the elbows
 };
 
 }  // namespace passive_haptics

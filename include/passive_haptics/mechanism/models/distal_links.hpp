@@ -1,5 +1,4 @@
-/// @file
-/// The constraint of legs that meet at the handle: the distal link of each keeps its length.
+/// Constraint of legs that meet at the handle: distal links of constant length.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -11,8 +10,8 @@
 
 namespace passive_haptics {
 
-/// N legs in N dimensions. Leg i has a lever a_i from its base joint to its elbow, which turns at rate qd_i,
-/// and a distal link r_i from the elbow to the handle. As |r_i| is constant,
+/// N legs in N dimensions, each with a lever a_i from its base joint to its elbow, which rotates at the rate
+/// qd_i, and a distal link r_i from the elbow to the handle. As |r_i| is constant,
 ///
 ///     A v = B qd,   A = [r_i^T],   B = diag(r_i . a'_i),   a'_i = da_i / dq_i,   a''_i = -a_i.
 template <class T, int N>
@@ -20,19 +19,19 @@ struct distal_links {
   matrix<T, N, N> link;     ///< A [m]: row i is r_i^T.
   matrix<T, N, N> lever;    ///< Column i is a_i [m].
   matrix<T, N, N> tangent;  ///< Column i is a'_i [m/rad].
-  vector<T, N> handle;      ///< Where the legs meet [m].
-  T lengths;                ///< prod |r_i| [m^N], of which det A is a share.
+  vector<T, N> handle;      ///< Handle [m].
+  T lengths;                ///< prod |r_i| [m^N], the scale of det A.
 
   /// Diagonal of B [m^2/rad].
   vector<T, N> drive() const { return link.cwiseProduct(tangent.transpose()).rowwise().sum(); }
 
-  /// J = A^-1 B [m/rad]; not finite where A is singular to rounding.
+  /// J = A^-1 B [m/rad]; not finite if A is singular to rounding.
   matrix<T, N, N> jacobian() const { return solved(drive()); }
 
-  /// J^-1 = B^-1 A [rad/m]; not finite where B is singular.
+  /// J^-1 = B^-1 A [rad/m]; not finite if B is singular.
   matrix<T, N, N> inverse_jacobian() const { return drive().cwiseInverse().asDiagonal() * link; }
 
-  /// |B_ii| / (|r_i| |a'_i|), the least, and |det A| / prod |r_i|.
+  /// Minimum of |B_ii| / (|r_i| |a'_i|), and |det A| / prod |r_i|.
   chain_conditioning<T> conditioning() const {
     const vector<T, N> length = link.rowwise().norm();
     const matrix<T, N, N> unit = link.array().colwise() / length.array();
@@ -43,7 +42,7 @@ struct distal_links {
     return {std::min(least, T(1)), std::min(std::abs(determinant(unit)), T(1))};
   }
 
-  /// Jd qd [m/s^2] from the constraint's second derivative, r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.
+  /// Jd qd [m/s^2] from the second derivative, r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.
   vector<T, N> bias_acceleration(const matrix<T, N, N>& J, const vector<T, N>& qd) const {
     const vector<T, N> v = J * qd;
     vector<T, N> right;
@@ -68,7 +67,7 @@ struct distal_links {
     }
   }
 
-  // 1 / det A; NaN where the determinant is of rounding alone.
+  // 1 / det A; NaN if det A is only rounding.
   T inverse_of(T det) const {
     const bool regular = std::abs(det) > rounding_tolerance<T>(N) * lengths;
     return regular ? T(1) / det : std::numeric_limits<T>::quiet_NaN();

@@ -1,5 +1,4 @@
-/// @file
-/// A five-bar: two base joints, two legs that meet at the handle (pantograph).
+/// A five-bar (pantograph): two base joints and two legs that meet at the handle.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -13,54 +12,50 @@
 
 namespace passive_haptics {
 
-/// Planar closed chain. Base joints at (-+b/2, 0), measured and braked, q_i [rad] from the x axis; leg i has
-/// a proximal link l_i to elbow P_i and a distal link r_i to the handle x:
+/// Planar closed chain. The base joints at (-+b/2, 0) are measured and braked, q_i [rad] from the x axis. Leg
+/// i has a proximal link l_i to the elbow P_i and a distal link r_i to the handle x:
 ///
 ///     P_i = (-+b/2, 0) + l_i (cos q_i, sin q_i),   |x - P_1| = r_1,   |x - P_2| = r_2.
 ///
-/// Where |P_2 - P_1| is over r_1 + r_2 or under |r_1 - r_2|, the loop cannot be closed. Where |P_2 - P_1| is
-/// 0 to rounding, the handle may be anywhere. In both cases position, jacobian and all else are NaN, and a
-/// step reports status::pose_undefined. Singular (conditioning returns how nearly): type 1, a leg straight or
-/// folded; type 2, the distal links aligned, where J is unbounded and the assemblies meet.
+/// If |P_2 - P_1| is above r_1 + r_2, below |r_1 - r_2| or 0 to rounding, all results are NaN, and a step
+/// reports status::pose_undefined. Singular, see conditioning(): type 1, a leg is straight or folded; type 2,
+/// the distal links are aligned, J is unbounded and the assemblies meet.
 ///
-/// Brakes = 4: as Book's P-TER, brakes on both base rates, their difference and their sum, T constant 4 x 2.
-/// Cost: two sines, two cosines and two square roots; jacobian some products and a division more.
+/// Brakes = 4: brakes on both base rates, their difference and their sum, as in Book's P-TER; T is a constant
+/// 4 x 2. Cost: two sines, cosines and square roots; jacobian adds some products and a division.
 template <class T, int Brakes = 2>
 class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   static_assert(Brakes == 2 || Brakes == 4, "passive_haptics: a five_bar has 2 or 4 brakes.");
 
  public:
-  static constexpr int brake_count = Brakes;  ///< m
+  static constexpr int brake_count = Brakes;  ///< Brakes m.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit five_bar(const five_bar_parameters<T, Brakes>& p = {})
       : p_(require_valid(p)),
         rounding_square_(square_of_rounding(p)),
         side_(p.assembly == five_bar_assembly::left ? T(1) : T(-1)) {}
 
-  /// The parameters as given.
-  const five_bar_parameters<T, Brakes>& parameters() const { return p_; }
+  const five_bar_parameters<T, Brakes>& parameters() const { return p_; }  ///< The parameters as given.
 
   using leg_chain<five_bar<T, Brakes>, T, 2>::position;
 
-  /// Handle [m], base frame: the middle of the elbows, then along and across the line between them. The
-  /// height is a product of differences of lengths: no squares cancel. Any scalar S that multiplies with T.
+  /// Handle [m], base frame, for any scalar S that multiplies with T, without cancellation of squares.
   template <class S = T>
   vector<S, 2> position(const vector<S, 2>& q) const {
     const auto angle = sine_cosine(q);
     return handle(elbow_point(0, lever(0, angle[0])), elbow_point(1, lever(1, angle[1])));
   }
 
-  /// T in w = T qd for four brakes: base joint 1, base joint 2, q1 - q2, q1 + q2.
+  /// T in w = T qd for four brakes: q1, q2, q1 - q2, q1 + q2.
   matrix<T, 4, 2> transmission() const
     requires(Brakes == 4)
   {
     return matrix<T, 4, 2>{{T(1), T(0)}, {T(0), T(1)}, {T(1), T(-1)}, {T(1), T(1)}};
   }
 
-  /// Base angles in [-pi, pi] that put the handle at x [m] with these elbows, each seen from its base joint.
-  /// If a leg is too short or too long (it then points at x), or if both reach but the handle lies on the
-  /// side of the other assembly, the outcome is out_of_reach. Then position(q) is not x.
+  /// Base angles in [-pi, pi] for the handle at x [m] with these elbows; out_of_reach if a leg is too short
+  /// or too long (it then points at x), or if the handle is in the other assembly; position(q) is then not x.
   joint_solution<T, 2> inverse(const vector<T, 2>& x, elbow leg_1 = elbow::left,
                                elbow leg_2 = elbow::right) const {
     const vector<T, 2> to_base(p_.base_distance / T(2), T(0));
@@ -74,23 +69,22 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
     return {q, other_side ? status::out_of_reach : status::ok};
   }
 
-  /// M [kg m^2], rotors on the brakes' axes included.
+  /// M [kg m^2], including rotors on the brake axes.
   matrix<T, 2, 2> mass_matrix(const distal_links<T, 2>& at) const {
     const matrix<T, 2, 2> J = at.jacobian();
     matrix<T, 2, 2> M = rotor_mass_matrix() + p_.handle_mass * J.transpose() * J;
     for (int i = 0; i < 2; ++i) {
       M(i, i) += third * p_.proximal_mass * at.lever.col(i).squaredNorm();
-      // A uniform rod whose ends have velocities a, b: (a.a + a.b + b.b) m / 6; E qd is the elbow's
+      // Uniform rod with end velocities a, b: (a.a + a.b + b.b) m / 6; E qd is that of the elbow
       const matrix<T, 2, 2> E = elbow_jacobian(at, i), EJ = E.transpose() * J;
       M += third * p_.distal_mass * (E.transpose() * E + (EJ + EJ.transpose()) / T(2) + J.transpose() * J);
     }
     M(1, 0) = M(0, 1);
     return M;
   }
-  /// M(q)
-  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(legs(q)); }
+  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(legs(q)); }  ///< M(q)
 
-  /// c [N m]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
+  /// c [N m]: Coriolis, centrifugal and gravity torques.
   vector<T, 2> bias_torque(const distal_links<T, 2>& at, const vector<T, 2>& qd) const {
     const matrix<T, 2, 2> J = at.jacobian();
     const vector<T, 2> handle = at.bias_acceleration(J, qd) - p_.gravity;
@@ -111,7 +105,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
 
  private:
   friend class leg_chain<five_bar<T, Brakes>, T, 2>;
-  static constexpr T third = T(1) / T(3);  // a uniform rod about its end: m l^2 / 3
+  static constexpr T third = T(1) / T(3);  // uniform rod about its end: m l^2 / 3
 
   template <class S>
   vector<S, 2> lever(int i, const sine_cosine_pair<S>& angle) const {
@@ -139,7 +133,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
             (P1[1] + P2[1]) * S(T(1) / T(2)) + along * apart[1] + across * apart[0]};
   }
 
-  // With the handle at x, or else where it is
+  // With the handle at x, or at its pose for q
   PASSIVE_HAPTICS_PART distal_links<T, 2> legs(const vector<T, 2>& q, const vector<T, 2>* x = nullptr) const {
     distal_links<T, 2> at;
     const auto angle = sine_cosine(q);
@@ -155,7 +149,6 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
     return at;
   }
 
-  // Of elbow i: only base joint i moves it
   static matrix<T, 2, 2> elbow_jacobian(const distal_links<T, 2>& at, int i) {
     matrix<T, 2, 2> E = matrix<T, 2, 2>::Zero();
     E.col(i) = at.tangent.col(i);
@@ -167,13 +160,12 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
     else return transmission().transpose() * p_.rotor_inertia.asDiagonal() * transmission();
   }
 
-  // NaN where the elbows coincide to rounding.
   template <class S>
   S nan_if_degenerate(const S& square) const {
     return square > S(rounding_square_) ? square : S(std::numeric_limits<T>::quiet_NaN());
   }
 
-  // Square of the rounding of an elbow's place [m^2]: angles are rounded to eps, too.
+  // Square of the rounding error of an elbow position [m^2]; angles are rounded to eps, too.
   static T square_of_rounding(const five_bar_parameters<T, Brakes>& p) {
     const T rounding = rounding_tolerance<T>(1) * (p.base_distance + p.proximal_1 + p.proximal_2);
     return rounding * rounding;
@@ -181,7 +173,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
 
   five_bar_parameters<T, Brakes> p_;
   T rounding_square_;
-  T side_;  // 1: the handle left of the line from elbow 1 to elbow 2
+  T side_;  // 1: the handle is left of the line from elbow 1 to elbow 2
 };
 
 }  // namespace passive_haptics

@@ -1,4 +1,3 @@
-/// @file
 /// Geometry and inertia of a five-bar.
 #pragma once
 
@@ -9,14 +8,14 @@
 
 namespace passive_haptics {
 
-/// Two poses of the handle close the loop; a five-bar keeps to one.
+/// Assembly mode: two handle poses close the loop; a five-bar stays in one.
 enum class five_bar_assembly {
-  left,   ///< The handle lies left of the line from elbow 1 to elbow 2: ahead of the base, by default.
-  right,  ///< It lies right of it.
+  left,   ///< Left of the line from elbow 1 to elbow 2: by default ahead of the base.
+  right,  ///< Right of it.
 };
 
-/// Lengths of the Pantograph Mk-II (Campion, Wang, Hayward 2005). Uniform rods with a point mass at the
-/// handle, masses those of a light desktop device.
+/// Parameters of a five-bar. Default lengths are those of the Pantograph Mk-II (Campion, Wang, Hayward 2005),
+/// masses those of a light desktop device: uniform rods with a point mass at the handle.
 template <class T, int Brakes = 2>
 struct five_bar_parameters {
   T base_distance = T(0.025);                            ///< Between the base joints [m], >= 0.
@@ -25,13 +24,12 @@ struct five_bar_parameters {
   T distal_1 = T(0.075);                                 ///< From elbow 1 to the handle [m].
   T distal_2 = T(0.075);                                 ///< From elbow 2 to the handle [m].
   five_bar_assembly assembly = five_bar_assembly::left;  ///< Side of the handle.
-  T proximal_mass = T(0.05);                             ///< Of each [kg].
-  T distal_mass = T(0.05);                               ///< Of each [kg].
+  T proximal_mass = T(0.05);                             ///< Of each proximal link [kg].
+  T distal_mass = T(0.05);                               ///< Of each distal link [kg].
   T handle_mass = T(0.1);                                ///< Point mass at the handle [kg].
-  vector<T, Brakes> rotor_inertia = vector<T, Brakes>::Constant(T(5e-5));  ///< On the brakes' axes [kg m^2].
+  vector<T, Brakes> rotor_inertia = vector<T, Brakes>::Constant(T(5e-5));  ///< On the brake axes [kg m^2].
   vector<T, 2> gravity = vector<T, 2>::Zero();  ///< [m/s^2]; zero: the plane is horizontal.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = five_bar_parameters;
     return member_table(member("base_distance", &p::base_distance, "m", range::not_negative),
@@ -46,7 +44,7 @@ struct five_bar_parameters {
                         member("rotor_inertia", &p::rotor_inertia, "kg m^2", range::not_negative),
                         member("gravity", &p::gravity, "m/s^2", range::finite));
   }
-  /// The loop closes.
+  /// The loop can be closed.
   error_message rules() const {
     const T perimeter = base_distance + proximal_1 + proximal_2 + distal_1 + distal_2;
     const T longest = std::max({base_distance, proximal_1, proximal_2, distal_1, distal_2});

@@ -1,5 +1,4 @@
-/// @file
-/// What every closed chain of legs that meet at the handle has in common.
+/// Common part of closed chains with legs that meet at the handle.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -7,33 +6,30 @@
 
 namespace passive_haptics {
 
-/// Base of a Model with N legs in N dimensions, which says where they are: `distal_links<T, N> legs(q)
-/// const`. All else at the level of velocities follows from their constraint.
+/// Base of a Model with N legs in N dimensions and `distal_links<T, N> legs(q) const`.
 template <class Model, class T, int N>
 class leg_chain {
  public:
-  using scalar = T;                         ///< Scalar of all lengths and angles.
-  static constexpr int dof = N;             ///< n
-  static constexpr int task_dimension = N;  ///< d
+  using scalar = T;                         ///< Scalar type.
+  static constexpr int dof = N;             ///< Joints n.
+  static constexpr int task_dimension = N;  ///< Task dimensions d.
 
   /// All legs.
   PASSIVE_HAPTICS_PART distal_links<T, N> pose(const vector<T, N>& q) const {
     return static_cast<const Model&>(*this).legs(q);
   }
 
-  /// Handle [m].
-  const vector<T, N>& position(const distal_links<T, N>& at) const { return at.handle; }
+  const vector<T, N>& position(const distal_links<T, N>& at) const { return at.handle; }  ///< Handle [m].
 
   /// J = A^-1 B [m/rad].
   matrix<T, N, N> jacobian(const distal_links<T, N>& at) const { return at.jacobian(); }
 
-  /// J [m/rad]
-  matrix<T, N, N> jacobian(const vector<T, N>& q) const { return pose(q).jacobian(); }
+  matrix<T, N, N> jacobian(const vector<T, N>& q) const { return pose(q).jacobian(); }  ///< J [m/rad]
 
   /// J^-1 = B^-1 A [rad/m], finite at singularities of type 2.
   matrix<T, N, N> inverse_jacobian(const vector<T, N>& q) const { return pose(q).inverse_jacobian(); }
 
-  /// How far q is from singularities.
+  /// Distance of q from singularities.
   chain_conditioning<T> conditioning(const vector<T, N>& q) const { return pose(q).conditioning(); }
 
   /// Jd qd [m/s^2].
@@ -47,10 +43,8 @@ class leg_chain {
 
  protected:
   leg_chain() = default;
-  /// Of a whole Model alone.
-  leg_chain(const leg_chain&) = default;
-  /// Of a whole Model alone.
-  leg_chain& operator=(const leg_chain&) = default;
+  leg_chain(const leg_chain&) = default;             ///< Only for derived classes.
+  leg_chain& operator=(const leg_chain&) = default;  ///< Only for derived classes.
 };
 
 }  // namespace passive_haptics

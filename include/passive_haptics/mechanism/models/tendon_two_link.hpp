@@ -1,5 +1,4 @@
-/// @file
-/// The paper's device: two links, both brakes at the base, coupled by tendons (Fig. 7).
+/// The paper's device: two links with both brakes at the base, coupled by tendons (Fig. 7).
 #pragma once
 
 #include <passive_haptics/core/linear/lane_products.hpp>
@@ -7,7 +6,7 @@
 
 namespace passive_haptics {
 
-/// Two links, as two_link_parameters, and the reduction of the tendon that drives link 2.
+/// two_link_parameters and the reduction of the tendon that drives link 2.
 template <class T>
 struct tendon_two_link_parameters {
   T length_1 = two_link_parameters<T>().length_1;                ///< l1 [m], section 5.1.
@@ -19,12 +18,11 @@ struct tendon_two_link_parameters {
   T rotor_inertia_2 = two_link_parameters<T>().rotor_inertia_2;  ///< On the axis of brake 2 [kg m^2].
   T reduction_2 = T(0.4);                                        ///< k2 [1], section 5.1.
 
-  /// The links.
+  /// Parameters of the links.
   constexpr two_link_parameters<T> arm() const {
     return {length_1, length_2, mass_1, mass_2, handle_mass, rotor_inertia_1, rotor_inertia_2};
   }
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = tendon_two_link_parameters;
     return member_table(member("length_1", &p::length_1, "m", range::positive),
@@ -40,17 +38,17 @@ struct tendon_two_link_parameters {
   }
 };
 
-/// two_link with brake 1 on joint 1 and brake 2 at the base, tendon-driven to link 2:
+/// two_link with brake 1 on joint 1, and brake 2 at the base with a tendon to link 2:
 ///
 ///     w = T qd,   T = [ 1    0    ]
 ///                     [ 1  1 / k2 ].
 ///
-/// The paper prints k2 but not the coupling; this one reproduces its approximation angles on the wall
-/// y = 0.225 m (about 3 deg at x = 0.06 m and 33 deg at x = 0.17 m, section 5.2).
+/// The paper gives k2 but not the coupling. This one reproduces its approximation angles on the wall y =
+/// 0.225 m (about 3 deg at x = 0.06 m and 33 deg at x = 0.17 m, section 5.2).
 template <class T>
 class tendon_two_link : public two_link<T> {
  public:
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit tendon_two_link(const tendon_two_link_parameters<T>& p = {})
       : two_link<T>(require_valid(p).arm()), per_joint_2_(T(1) / p.reduction_2) {}
 
@@ -64,8 +62,7 @@ class tendon_two_link : public two_link<T> {
     const vector<T, 2> rotors(p.rotor_inertia_1, p.rotor_inertia_2);
     return this->link_mass_matrix(at) + transposed_times(t, scaled_rows(rotors, t));
   }
-  /// M(q)
-  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(this->pose(q)); }
+  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(this->pose(q)); }  ///< M(q)
 
  private:
   T per_joint_2_;  // 1 / k2

@@ -1,5 +1,4 @@
-/// @file
-/// Two links in a plane, a brake on each joint (Figs. 2 and 3).
+/// Two-link planar arm with a brake on each joint (Figs. 2 and 3).
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -12,8 +11,8 @@
 
 namespace passive_haptics {
 
-/// Geometry and inertia of a two-link arm: uniform rods with a point mass at the handle.
-/// Lengths are the paper's; it prints no masses, these are those of a light desktop device.
+/// Geometry and inertia of a two-link arm: uniform rods with a point mass at the handle. Default lengths are
+/// from the paper; it gives no masses, so these are those of a light desktop device.
 template <class T>
 struct two_link_parameters {
   T length_1 = T(0.15);         ///< l1 [m], section 5.1.
@@ -24,7 +23,6 @@ struct two_link_parameters {
   T rotor_inertia_1 = T(5e-5);  ///< On the axis of brake 1 [kg m^2].
   T rotor_inertia_2 = T(5e-5);  ///< On the axis of brake 2 [kg m^2].
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = two_link_parameters;
     return member_table(member("length_1", &p::length_1, "m", range::positive),
@@ -37,7 +35,7 @@ struct two_link_parameters {
   }
 };
 
-/// Where the links of a two-link arm point.
+/// Link vectors of a two-link arm.
 template <class T>
 struct two_link_pose {
   vector<T, 2> link_1;  ///< From base to elbow [m].
@@ -48,30 +46,29 @@ struct two_link_pose {
 ///
 ///     x = l1 (cos q1, sin q1) + l2 (cos q12, sin q12),   q12 = q1 + q2.
 ///
-/// Singular at q2 = 0 and q2 = +-pi (det J = l1 l2 sin q2): straight or folded, no radial velocity.
-/// Cost of a pose: two sines and two cosines; of its position or jacobian a few additions.
+/// Singular at q2 = 0 and q2 = +-pi (det J = l1 l2 sin q2): straight or folded, no radial velocity. Cost of a
+/// pose: two sines and cosines; position and jacobian add a few additions.
 template <class T>
 class two_link {
  public:
-  using scalar = T;                         ///< Scalar of all lengths and angles.
-  static constexpr int dof = 2;             ///< n
-  static constexpr int task_dimension = 2;  ///< d
-  static constexpr int brake_count = 2;     ///< m
+  using scalar = T;                         ///< Scalar type.
+  static constexpr int dof = 2;             ///< Joints n.
+  static constexpr int task_dimension = 2;  ///< Task dimensions d.
+  static constexpr int brake_count = 2;     ///< Brakes m.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit two_link(const two_link_parameters<T>& p = {}) : p_(require_valid(p)) {}
 
-  /// No copy of a class that is made of this one: what that class adds would be lost.
+  /// Prevents slicing of derived classes.
   template <detail::extends<two_link> Larger>
   two_link(const Larger&) = delete;  // passive_haptics: would lose what the larger class adds
-  /// No assignment of a class that is made of this one.
+  /// Prevents slicing of derived classes.
   template <detail::extends<two_link> Larger>
   two_link& operator=(const Larger&) = delete;  // passive_haptics: would lose what the larger class adds
 
-  /// The parameters as given.
-  const two_link_parameters<T>& parameters() const { return p_; }
+  const two_link_parameters<T>& parameters() const { return p_; }  ///< The parameters as given.
 
-  /// End effector [m], base frame. Any scalar S that multiplies with T.
+  /// End effector [m], base frame, for any scalar S that multiplies with T.
   template <class S = T>
   vector<S, 2> position(const vector<S, 2>& q) const {
     using std::cos, std::sin;
@@ -98,13 +95,10 @@ class two_link {
     return matrix_of<2, 2>(-x[1], -at.link_2[1], x[0], at.link_2[0]);
   }
 
-  /// J [m/rad]
-  matrix<T, 2, 2> jacobian(const vector<T, 2>& q) const { return jacobian(pose(q)); }
+  matrix<T, 2, 2> jacobian(const vector<T, 2>& q) const { return jacobian(pose(q)); }  ///< J [m/rad]
 
-  /// J^-T = [J_1 J_2] [1/m]: column i is the force that a torque at joint i alone makes. With the links l_1,
-  /// l_2 as vectors, J_1 = l_2 / det J and J_2 = -(l_1 + l_2) / det J, where det J = l_1 x l_2; not finite
-  /// where that is 0.
-  ///
+  /// J^-T = [J_1 J_2] [1/m]: column i is the force of a unit torque at joint i. With the links l_1, l_2 as
+  /// vectors, J_1 = l_2 / det J and J_2 = -(l_1 + l_2) / det J, det J = l_1 x l_2. Not finite if det J = 0.
   /// @equation{5}
   matrix<T, 2, 2> inverse_transposed_jacobian(const vector<T, 2>& q) const {
     const auto [l_1, l_2] = pose(q);
@@ -113,23 +107,21 @@ class two_link {
     return J_1_J_2 / cross_in_plane(l_1, l_2);
   }
 
-  /// Joint positions that put the handle at x [m]. Out of reach gives the nearest reach in the same
-  /// direction; at x = 0 (l1 = l2) q1 is free and 0 is taken for the direction.
+  /// Joint positions for the handle at x [m]; see two_link_inverse.
   joint_solution<T, 2> inverse(const vector<T, 2>& x, elbow branch) const {
     return two_link_inverse(p_.length_1, p_.length_2, x, branch);
   }
 
-  /// M [kg m^2], rotors on the joint axes included.
+  /// M [kg m^2], including rotors on the joint axes.
   matrix<T, 2, 2> mass_matrix(const two_link_pose<T>& at) const {
     matrix<T, 2, 2> M = link_mass_matrix(at);
     M(0, 0) += p_.rotor_inertia_1;
     M(1, 1) += p_.rotor_inertia_2;
     return M;
   }
-  /// M(q)
-  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(pose(q)); }
+  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(pose(q)); }  ///< M(q)
 
-  /// c [N m]: Coriolis and centrifugal; the plane is horizontal, so no gravity.
+  /// c [N m]: Coriolis and centrifugal torques; the plane is horizontal.
   vector<T, 2> bias_torque(const two_link_pose<T>& at, const vector<T, 2>& qd) const {
     const T h = outer_mass() * cross_in_plane(at.link_1, at.link_2);
     return {-h * (T(2) * qd[0] * qd[1] + qd[1] * qd[1]), h * qd[0] * qd[0]};
@@ -139,7 +131,7 @@ class two_link {
     return bias_torque(pose(q), qd);
   }
 
-  /// Jd qd [m/s^2]: each link's centripetal acceleration.
+  /// Jd qd [m/s^2]: centripetal accelerations of the links.
   vector<T, 2> bias_acceleration(const two_link_pose<T>& at, const vector<T, 2>& qd) const {
     const T w12 = qd[0] + qd[1];
     return -qd[0] * qd[0] * at.link_1 - w12 * w12 * at.link_2;
@@ -153,7 +145,7 @@ class two_link {
   /// M [kg m^2] without rotors.
   matrix<T, 2, 2> link_mass_matrix(const two_link_pose<T>& at) const {
     const T l1 = p_.length_1, l2 = p_.length_2, m1 = p_.mass_1, m2 = p_.mass_2, mh = p_.handle_mass;
-    const T third = T(1) / T(3);  // a uniform rod about its end: m l^2 / 3
+    const T third = T(1) / T(3);  // uniform rod about its end: m l^2 / 3
     const T outer = (third * m2 + mh) * l2 * l2;
     const T cross = outer_mass() * at.link_1.dot(at.link_2);
     const T M11 = (third * m1 + m2 + mh) * l1 * l1 + outer + T(2) * cross;

@@ -1,5 +1,4 @@
-/// @file
-/// An XY table: two orthogonal slides, a brake on each (Figs. 4 and 5).
+/// An XY table: two orthogonal slides with a brake each (Figs. 4 and 5).
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -9,13 +8,12 @@
 
 namespace passive_haptics {
 
-/// Moved masses of an XY table (the paper prints none).
+/// Moved masses of an XY table (none in the paper).
 template <class T>
 struct xy_table_parameters {
-  T mass_x = T(0.5);  ///< All that moves along x [kg].
-  T mass_y = T(0.5);  ///< All that moves along y [kg].
+  T mass_x = T(0.5);  ///< Total mass moved along x [kg].
+  T mass_y = T(0.5);  ///< Total mass moved along y [kg].
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = xy_table_parameters;
     return member_table(member("mass_x", &p::mass_x, "kg", range::positive),
@@ -23,17 +21,16 @@ struct xy_table_parameters {
   }
 };
 
-/// x = q [m]; brake i acts on axis i. J = I, constant and diagonal: later layers solve nothing. No singular
-/// pose.
+/// x = q [m]; brake i acts on axis i. J = I, constant and diagonal, without singular poses.
 template <class T>
 class xy_table {
  public:
-  using scalar = T;                         ///< Scalar of all lengths.
-  static constexpr int dof = 2;             ///< n
-  static constexpr int task_dimension = 2;  ///< d
-  static constexpr int brake_count = 2;     ///< m
+  using scalar = T;                         ///< Scalar type.
+  static constexpr int dof = 2;             ///< Joints n.
+  static constexpr int task_dimension = 2;  ///< Task dimensions d.
+  static constexpr int brake_count = 2;     ///< Brakes m.
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit xy_table(const xy_table_parameters<T>& p = {}) : p_(require_valid(p)) {}
 
   /// End effector [m].
@@ -42,10 +39,9 @@ class xy_table {
     return q;
   }
 
-  /// J = I.
-  diagonal_matrix<T, 2> jacobian() const { return diagonal_matrix<T, 2>(T(1), T(1)); }
+  diagonal_matrix<T, 2> jacobian() const { return diagonal_matrix<T, 2>(T(1), T(1)); }  ///< J = I.
 
-  /// Joint positions that put the handle at x [m]; always reached.
+  /// Joint positions for the handle at x [m]; always within reach.
   joint_solution<T, 2> inverse(const vector<T, 2>& x) const {
     return {x, all_finite(x) ? status::ok : status::state_not_finite};
   }

@@ -1,5 +1,4 @@
-/// @file
-/// A model of the brakes' first-order lag, its inversion over a short horizon, and what to command by it.
+/// Model of the first-order brake lag, and its inversion over a short horizon.
 #pragma once
 
 #include <passive_haptics/brake/torque_interval.hpp>
@@ -13,13 +12,13 @@
 
 namespace passive_haptics {
 
-/// What brakes of time constant T_b make of their commands, T_b dtau/dt + tau = u, as far as the commands are
-/// known. In double, for up to `most` brakes, so that a law's memory needs no mechanism.
+/// Torques of brakes with time constants T_b from their commands, T_b dtau/dt + tau = u. In double and for up
+/// to max_brakes, so that the memory of a law does not depend on the mechanism.
 class brake_lag_model {
  public:
-  static constexpr std::size_t max_brakes = 12;  ///< Brakes.
+  static constexpr std::size_t max_brakes = 12;  ///< Maximum number of brakes.
 
-  /// Brings the torques [N m] from the last command to `time` [s]; time running backwards changes nothing.
+  /// Advances the torques [N m] to `time` [s]; a decreasing time changes nothing.
   template <class T, int Brakes>
   void advance(double time, const vector<T, Brakes>& time_constant) {
     static_assert(Brakes <= static_cast<int>(max_brakes),
@@ -32,9 +31,8 @@ class brake_lag_model {
     });
   }
 
-  /// The capacity [N m] to command now, so that the brake has `wanted` >= 0 a horizon [s] later, by when it
-  /// covers share = lag_share(horizon, T_b) of its way: u = tau + (wanted - tau) / share, within [0, limit];
-  /// `wanted` itself where the share is 1. It is taken for commanded from now on.
+  /// Stores and returns the command [N m] for which the brake reaches `wanted` >= 0 after a horizon [s] with
+  /// share = lag_share(horizon, T_b): u = tau + (wanted - tau) / share, in [0, limit].
   template <class T>
   T command(int brake, T wanted, T limit, T share = T(1)) {
     const auto k = static_cast<std::size_t>(brake);
@@ -44,18 +42,17 @@ class brake_lag_model {
     return static_cast<T>(command_[k]);
   }
 
-  /// What a brake makes [N m], as of the last advance().
+  /// Torque of a brake [N m] at the last advance().
   double torque(int brake) const { return nth(torque_, brake); }
 
-  /// All brakes are released, as if since the last advance(): their time constants are not known here.
-  void release() { command_.fill(0); }
+  void release() { command_.fill(0); }  ///< Releases all brakes from the last advance() on.
 
  private:
   std::array<double, max_brakes> torque_{}, command_{};
   double time_ = -std::numeric_limits<double>::infinity();
 };
 
-/// Of the way to a command, what a horizon [s] covers [1], for each brake.
+/// Share of the step to a command within a horizon [s], for each brake.
 template <class B>
 auto lag_shares(const B& brakes, double horizon) {
   using T = typename std::remove_cvref_t<decltype(brakes.time_constant)>::Scalar;
@@ -64,8 +61,7 @@ auto lag_shares(const B& brakes, double horizon) {
   return share;
 }
 
-/// Torques [N m] to command so that brakes make magnitudes t a horizon from now, each against its brake's
-/// sign.
+/// Torques [N m] to command so that brakes have magnitudes t after a horizon, each against its sign.
 template <class Device, class T, int Brakes>
 vector<T, Brakes> torques_to_command(const Device& device, vector<T, Brakes> t,
                                      const vector<T, Brakes>& lag_share, brake_lag_model& model) {

@@ -1,5 +1,4 @@
-/// @file
-/// Brake torques of least power that give walls the normal forces they want.
+/// Brake torques of minimum power for desired normal forces.
 #pragma once
 
 #include <passive_haptics/control/laws/velocity/torque_range.hpp>
@@ -14,8 +13,7 @@
 
 namespace passive_haptics {
 
-/// Adds to magnitudes t what brakes that turn can do beside a brake that is held at rest: torques t_j then
-/// accelerate the device with brake i held, n . xdd = (g_j - g_i A_ij / A_ii) t_j.
+/// Increases magnitudes t of rotating brakes while brake i is held: n . xdd = (g_j - g_i A_ij / A_ii) t_j.
 template <class T, int Brakes>
 void beside_held(const vector<T, Brakes>& g, T missing, const torque_range<T, Brakes>& range,
                  vector<T, Brakes>& t) {
@@ -33,10 +31,10 @@ void beside_held(const vector<T, Brakes>& g, T missing, const torque_range<T, Br
   }
 }
 
-/// Magnitudes [N m] of brake torques for one wall: at least `wanted` [m/s^2] of g . t, or all that there is,
-/// with the least dissipated power sum |w_i| |t_i|, which is the least drag along the wall: |w_i| / |v| is
-/// the drag of 1 N m. Brakes are filled in the order of power for each acceleration (the fractional knapsack
-/// problem of Dantzig 1957), those that help only while the handle lands last.
+/// Magnitudes [N m] of brake torques for one wall with g . t at least `wanted` [m/s^2], or the maximum, and
+/// minimum dissipated power sum |w_i| |t_i|, and so minimum drag. Brakes are filled in the order of power per
+/// acceleration (the fractional knapsack problem of Dantzig 1957); those that only help while the handle
+/// lands come last.
 template <class T, int Brakes>
 vector<T, Brakes> min_power_torques(const vector<T, Brakes>& g, T wanted,
                                     const torque_range<T, Brakes>& range, const vector<T, Brakes>& w) {
@@ -67,10 +65,9 @@ vector<T, Brakes> min_power_torques(const vector<T, Brakes>& g, T wanted,
   return t;
 }
 
-/// Torques for several walls together: forces [N] as near to the wanted ones as may be, sum of squares, of
-/// these the least power, and where brakes at rest need none, the least |t / u|. A wall of no demand is
-/// not left to the others' forces: coupled forces are met together. rows: Lambda_j g_j. u: units from
-/// form_of<M>::units. Cost: core/linear/least_squares_by_priority.hpp, two levels.
+/// Torques for several walls: least squares of the force errors [N], then minimum power, then, among brakes
+/// at rest, least |t / u|. Walls without a demand are included because the forces are coupled. rows: Lambda_j
+/// g_j. u: units from form_of<M>::units. Cost: core/linear/least_squares_by_priority.hpp, two levels.
 template <class T, int Brakes, int Walls, class Units = equal_units>
 vector<T, Brakes> min_power_torques(const matrix<T, Walls, Brakes>& rows, const vector<T, Walls>& wanted,
                                     const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,
@@ -85,9 +82,8 @@ vector<T, Brakes> min_power_torques(const matrix<T, Walls, Brakes>& rows, const 
       least_squares_level{rows, wanted}, least_squares_level{power}));
 }
 
-/// Torques for the first `count` of these walls, each with its `force` [N] and its response `along` the
-/// normal (acceleration_display.hpp). Where there are several, none holds a handle that leaves
-/// it: a force < 0 counts as none.
+/// Torques for the first `count` walls, each with its `force` [N] and response `along` the normal
+/// (acceleration_display.hpp). With several walls, none holds a leaving handle: a force < 0 counts as 0.
 template <class Wall, std::size_t Capacity, class T, int Brakes, class Units = equal_units>
 vector<T, Brakes> min_power_torques(const std::array<Wall, Capacity>& walls, int count,
                                     const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,

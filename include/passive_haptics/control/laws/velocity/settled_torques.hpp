@@ -1,5 +1,4 @@
-/// @file
-/// Brake torques that give walls the normal forces they want, of a device whose self-motion settles (n > d).
+/// Brake torques for desired normal forces with a settled self-motion (n > d).
 #pragma once
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
@@ -16,20 +15,19 @@
 
 namespace passive_haptics {
 
-/// Torques, and what each wall gets of them.
+/// Torques, and the normal force of each wall.
 template <class T, int Brakes, int Capacity>
 struct settled_torques {
-  using each_wall = std::array<T, static_cast<std::size_t>(Capacity)>;  ///< One for each wall.
+  using each_wall = std::array<T, static_cast<std::size_t>(Capacity)>;  ///< One number per wall.
 
   vector<T, Brakes> capacity = vector<T, Brakes>::Zero();  ///< [N m]
-  each_wall made = {};                                     ///< Normal forces n_j . F [N],
-  each_wall max_force = {};                                ///< and what they could be at most [N].
-  bool sticks = true;  ///< None of the brakes that push turns, but for those that come to rest anyway.
+  each_wall made = {};                                     ///< Normal forces n_j . F [N].
+  each_wall max_force = {};                                ///< Their maximum values [N].
+  bool sticks = true;  ///< None of the pushing brakes rotates, except those that come to rest.
 };
 
-/// The torques for walls whose demands want n_j . F = force_j >= 0, by the signs of brakes that have settled
-/// at the velocity v' `landed` [m/s], or at v `now`, where those display less. One wall gets force_j by the
-/// nearest force, several by contact_forces. Cost: a nearest force, and for several walls a contact_forces.
+/// Torques for demands n_j . F = force_j >= 0, with signs settled at the velocity v' `landed` [m/s], or at v
+/// `now` if those display less. Cost: a nearest force, for several walls a contact_forces.
 template <Settles M, int Capacity, class Device, class T, int D>
 settled_torques<T, M::brake_count, Capacity> settled_torques_at(
     const Device& device, const vector<T, D>& landed, const vector<T, D>& now,
@@ -50,7 +48,7 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
     all.made[0] = std::min(demands[0].force, all.max_force[0]);
     all.capacity = all.made[0] * unit.torque.cwiseAbs();
     if (device.options.limits == saturation::clamp_each)
-      for (int i = 0; i < m; ++i)  // a force that is NaN stays
+      for (int i = 0; i < m; ++i)  // keeps NaN
         all.capacity[i] = std::min(demands[0].force * std::abs(unit.torque[i]), bound[i]);
   } else {
     const auto settled =
@@ -76,20 +74,19 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
   return all;
 }
 
-/// Normal force [N] that keeps a handle at rest: against the hand's force Fh, and against gravity as far as
-/// the response along the normal contains it. That response contains a share of Fh, too.
+/// Normal force [N] that keeps a handle at rest against the hand force Fh and gravity. `along` includes a
+/// share of Fh.
 template <class T, int D, int Brakes>
 T holding_force(const normal_response<T, D, Brakes>& along, const vector<T, D>& Fh, T share) {
   return -along.normal.dot(Fh) - along.inertia * (along.free - along.per_newton.dot(share * Fh));
 }
 
-/// The torques for walls as velocity_direct_control has them: with a response `along` the normal, a `force`
-/// [N] that they want, and speeds. The handle shall go with v', once it has the normal velocities that the
-/// walls want and follows the hand along them. At rest no wall gets more than twice what holds the handle, so
-/// that a hand that pulls out is free: what the wall has learned was for another push. Where two of the
-/// `near_walls` are closed, and where the handle leaves a wall while another one is near, the same applies to
-/// a handle that moves; a wall then also gets what stops it, as the sensor does not see a hand that coasts.
-/// The first `count` of the near walls demand a force.
+/// Torques for walls of velocity_direct_control, with a response `along` the normal, a demanded `force` [N],
+/// and speeds. The handle should move with v', once it has the normal velocities that the walls demand and
+/// follows the hand along them. At rest, each wall gets at most twice the holding force, so that a pulling
+/// hand is free even if the wall has learned a larger one. The same applies to a moving handle if two of the
+/// `near_walls` are closed, or if it leaves a wall near another one; a wall then also gets its stopping
+/// force, because the sensor does not detect a coasting hand. The first `count` walls demand a force.
 template <Settles M, class Device, class Wall, std::size_t Capacity, class T = typename M::scalar>
 auto settled_torques_for(const Device& device, const pose_dynamics<M>& dynamics,
                          const std::array<Wall, Capacity>& walls, int near_walls, int count, T force_share,

@@ -1,5 +1,4 @@
-/// @file
-/// Brake torques that stop a handle where several walls together leave it no way to go.
+/// Brake torques that stop a handle enclosed by several walls.
 #pragma once
 
 #include <passive_haptics/brake/signs.hpp>
@@ -24,17 +23,17 @@ namespace passive_haptics {
 template <class M>
 struct weighted_motion {
   joint_vector<M> now;   ///< M^1/2 qd [J^1/2]
-  joint_vector<M> push;  ///< M^-1/2 (J^T Fh - c), what hand and gravity add to it each second [J^1/2 / s].
+  joint_vector<M> push;  ///< M^-1/2 (J^T Fh - c), its rate of change by hand and gravity [J^1/2 / s].
 
-  /// At joint rates qd, the hand doing Fh [N]. Cost: one solution with half of M.
+  /// At joint rates qd and hand force Fh [N]. Cost: one solution with half of M.
   weighted_motion(const pose_dynamics<M>& dynamics, const joint_vector<M>& qd, const task_vector<M>& Fh)
       : now(dynamics.mass.half_product(qd)),
         push(dynamics.mass.half_solve(joint_vector<M>(transposed_times(dynamics.J, Fh) - dynamics.bias))) {}
 };
 
-/// True if the walls that may not be entered, two or more, leave no more than a tenth of the motion that the
-/// free handle would have `ahead` seconds from now. Walls without friction take from it what points into
-/// them (Gauss's principle): y* is nearest to y under n_j . J M^-1/2 y* >= 0, a projection onto a cone.
+/// True if two or more closed walls leave at most a tenth of the motion that the free handle would have
+/// `ahead` seconds from now. Frictionless walls remove the components into them (Gauss's principle): y* is
+/// nearest to y under n_j . J M^-1/2 y* >= 0, a projection onto a cone.
 template <class M, class Wall, std::size_t Capacity, class T = typename M::scalar>
 bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                  const std::array<Wall, Capacity>& walls, int count, T ahead) {
@@ -50,7 +49,7 @@ bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& mot
   }
   if (closed < 2) return false;
   joint_vector<M> y = motion.now + ahead * motion.push, left = project_onto_half_spaces(into, y).point;
-  if constexpr (n > M::task_dimension) {  // the self-motion may go on
+  if constexpr (n > M::task_dimension) {  // excludes the self-motion
     const orthogonal_decomposition<T, M::task_dimension, n> handle(
         matrix<T, M::task_dimension, n>(
             transposed(dynamics.mass.half_solve(matrix<T, n, M::task_dimension>(transposed(dynamics.J))))),
@@ -61,8 +60,7 @@ bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& mot
   return left.norm() <= max_left * y.norm();
 }
 
-/// True if a handle that moves enters all walls that are closed, two or more, and brake torques of magnitudes
-/// t give one of these less than half of the force that it demands.
+/// True if the handle enters all of two or more closed walls, one with less than half of its demand from t.
 template <class Wall, std::size_t Capacity, class T, int Brakes>
 bool enters_undisplayed(const std::array<Wall, Capacity>& walls, int count,
                         const torque_range<T, Brakes>& brakes, const vector<T, Brakes>& t) {
@@ -81,17 +79,16 @@ bool enters_undisplayed(const std::array<Wall, Capacity>& walls, int count,
 }
 
 /// Magnitudes [N m] of the brake torques that stop device and hand in a time [s] and hold more than hand and
-/// gravity do, as sensor and inertia may be off: what a brake at rest does not need it does not make. The
-/// least |M^-1/2 (T^T t + held (J^T Fh - c)) + M^1/2 qd / time| within the limits and the signs of brakes
-/// that turn, of these the least |t / u|. If a brake at rest is at its limit, the others at rest get no less
-/// than if none of them had one: that it cannot make its surplus is no reason to let another go.
-/// Cost: two levels of core/linear/least_squares_by_priority.hpp, twice if a brake at rest is at its limit.
+/// gravity require, as a margin for errors of sensor and inertia. Minimises |M^-1/2 (T^T t + held (J^T Fh -
+/// c)) + M^1/2 qd / time| within the limits and signs of rotating brakes, then |t / u|. If a brake at rest is
+/// at its limit, the others at rest get at least their torques without these limits. Cost: two levels of
+/// core/linear/least_squares_by_priority.hpp, twice if a brake at rest is at its limit.
 template <class M, class Brakes, class T = typename M::scalar>
 brake_vector<M> stopping_torques(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                                  const Brakes& brakes, T time) {
   constexpr int n = M::dof, m = M::brake_count;
   constexpr T held = T(1.3);
-  brake_vector<M> lower, upper, unlimited;  // the last: of brakes at rest
+  brake_vector<M> lower, upper, unlimited;  // the last for brakes at rest
   for (int i = 0; i < m; ++i) {
     const T w = dynamics.rates[i];
     const bool turns = slips(w, rate_dead_band_of<T>(brakes, i));

@@ -1,5 +1,4 @@
-/// @file
-/// What each brake can do for walls, a moment from now.
+/// Torque ranges of the brakes after the horizon.
 #pragma once
 
 #include <passive_haptics/brake/signs.hpp>
@@ -13,30 +12,30 @@
 
 namespace passive_haptics {
 
-/// What each brake can make a horizon from now: its sign times a magnitude from least to most.
+/// Torques that each brake can have after a horizon: its sign times a magnitude in [lower, upper].
 template <class T, int Brakes>
 struct torque_range {
-  using flags = vector<bool, Brakes>;  ///< One for each brake.
+  using flags = vector<bool, Brakes>;  ///< One per brake.
 
-  vector<T, Brakes> sign;                  ///< Of its torque: -1 or 1.
-  vector<T, Brakes> lag_share;             ///< Of the way to a command that the horizon covers [1].
-  vector<T, Brakes> lower;                 ///< What its lag leaves it at least [N m].
+  vector<T, Brakes> sign;                  ///< Sign of the torque: -1 or 1.
+  vector<T, Brakes> lag_share;             ///< Share of the step to a command within the horizon [1].
+  vector<T, Brakes> lower;                 ///< Minimum because of the lag [N m].
   vector<T, Brakes> upper;                 ///< [N m], >= lower.
-  matrix<T, Brakes, Brakes> A;             ///< T M^-1 T^T, where any is at rest [rad/s^2 per N m].
+  matrix<T, Brakes, Brakes> A;             ///< T M^-1 T^T, if any brake is at rest [rad/s^2 per N m].
   bool any_at_rest = false;                ///< Some brake is at rest.
-  flags at_rest = flags::Constant(false);  ///< It is at rest,
-  flags held = flags::Constant(false);     ///< and within its limit: it can make twice what holds it.
-  /// What one at rest makes now, where letting it go may let the handle in; else 0 [N m].
+  flags at_rest = flags::Constant(false);  ///< The brake is at rest.
+  flags held = flags::Constant(false);     ///< The limit allows twice the holding torque.
+  /// Current torque of a brake at rest, if releasing it may let the handle in; else 0 [N m].
   vector<T, Brakes> kept;
-  flags sign_is_lasting;  ///< It can push so as long as the handle slides, not only while it lands.
+  flags sign_is_lasting;  ///< The sign holds while the handle slides, not only while it lands.
 };
 
-/// T M^-1 T^T, how brake torques accelerate the brakes [rad/s^2 per N m].
+/// T M^-1 T^T, from brake torques to brake accelerations [rad/s^2 per N m].
 template <class M>
 using brake_inertia = matrix<typename M::scalar, M::brake_count, M::brake_count>;
 
-/// Torques [N m] that would hold the brakes, the others making t: by Gauss-Seidel, those at rest at most what
-/// they make now. Leaves A = T M^-1 T^T. Cost: a solution with M and some products of m x m.
+/// Torques [N m] that would hold the brakes while the others have torques t, by Gauss-Seidel, with brakes at
+/// rest limited to their strength. Sets A = T M^-1 T^T. Cost: a solution with M and m x m products.
 template <class M>
 brake_vector<M> holding_torques(const pose_dynamics<M>& dynamics, const task_vector<M>& Fh,
                                 const vector<bool, M::brake_count>& at_rest, brake_vector<M> t,
@@ -44,7 +43,7 @@ brake_vector<M> holding_torques(const pose_dynamics<M>& dynamics, const task_vec
   using T = typename M::scalar;
   constexpr int m = M::brake_count, sweeps = 3;
   const matrix<T, M::dof, m> per_torque = dynamics.mass.solve(dynamics.Tt);
-  A = transposed_times(dynamics.Tt, per_torque);  // rad/s^2 for each N m
+  A = transposed_times(dynamics.Tt, per_torque);  // [rad/s^2 per N m]
   const joint_vector<M> drive = transposed_times(dynamics.J, Fh) - dynamics.bias;
   const brake_vector<M> free = per_torque.transpose() * drive;
   brake_vector<M> holding = brake_vector<M>::Zero();
@@ -57,9 +56,8 @@ brake_vector<M> holding_torques(const pose_dynamics<M>& dynamics, const task_vec
   return holding;
 }
 
-/// What brake i makes [N m] of a strength, by the lag of its commands, in the direction of a torque; either
-/// way. Of a brake that is off nothing is left, however short ago it held. Of brakes without an interval it
-/// is the strength.
+/// Torque [N m] of brake i with a strength from the lag of its commands, in the direction of `torque` or in
+/// both. 0 if the brake is off, regardless of its lag. The strength itself for brakes without an interval.
 template <class T, class B>
 T within_interval(T strength, [[maybe_unused]] const B& brakes, [[maybe_unused]] int i,
                   [[maybe_unused]] bool either_way, [[maybe_unused]] T torque) {
@@ -73,17 +71,16 @@ T within_interval(T strength, [[maybe_unused]] const B& brakes, [[maybe_unused]]
   }
 }
 
-/// The ranges of all brakes for one wall with this g. w: their rates once the handle keeps its depth. The
-/// signs are taken from w, not from the rates now, which may be those of a landing; but a brake whose rate
-/// now pushes the handle out of the wall is taken so even if that will not last. A brake at rest contributes
-/// at most twice its holding torque, and nothing if that torque has the wrong sign.
+/// Ranges of all brakes for one wall with response g. w: rates once the handle keeps its depth. Signs are
+/// those of w, because the current rates may be those of a landing, except for brakes that now push the
+/// handle out. A brake at rest has at most twice its holding torque, 0 if that has the wrong sign.
 template <class M, class Device>
 torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
     const Device& device, const pose_dynamics<M>& dynamics, const brake_vector<M>& w,
     const brake_vector<M>& g, const brake_lag_model& model, double horizon) {
   using T = typename M::scalar;
   constexpr int m = M::brake_count;
-  constexpr T max_held(2);  // of what holds a brake at rest, by a sensor and inertia that are off
+  constexpr T max_held(2);  // of the holding torque, as a margin for errors of sensor and inertia
   torque_range<T, m> range;
   range.lag_share = passive_haptics::lag_shares(device.brakes, horizon);
   brake_vector<M> strength, made;
@@ -119,7 +116,7 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
   return range;
 }
 
-/// For several walls, where the rates now decide the signs of brakes that turn.
+/// For several walls: current rates determine the signs of rotating brakes.
 template <class M, class Device>
 torque_range<typename M::scalar, M::brake_count> torque_ranges_of(const Device& device,
                                                                   const pose_dynamics<M>& dynamics,

@@ -1,5 +1,4 @@
-/// @file
-/// Memory of one contact under velocity_direct_control, and the way that the handle was seen to make.
+/// Memory of one contact under velocity_direct_control, and the observed motion of the handle.
 #pragma once
 
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
@@ -15,9 +14,9 @@ namespace passive_haptics {
 
 /// The handle's position, from cycle to cycle.
 struct seen_position {
-  std::array<double, 3> before{};  ///< In the cycle before [m].
+  std::array<double, 3> before{};  ///< In the previous cycle [m].
 
-  /// The distance to x, which is the position before from now on [m].
+  /// Returns the distance to x [m] and stores x.
   template <int D>
   double move_to(const point<D>& x) {
     double square = 0;
@@ -32,20 +31,18 @@ struct seen_position {
 
 /// Memory of one contact.
 ///
-/// **Jumps of the depth.** A count of the encoders moves the handle, and the depth with it, more than its
-/// velocity explains. Depth is a distance, so in one cycle a count changes it by no more than the handle was
-/// seen to move. All beyond comes from the scene, such as another face, a wall that was moved, or a new
-/// sample of a slow scene, and does not make the handle rest deeper.
+/// **Jumps of the depth.** An encoder count moves the handle, and so the depth, by more than its velocity
+/// explains. One cycle changes the depth by at most the observed motion of the handle. Any excess comes from
+/// the scene (another face, a moved wall, a new sample) and does not increase the steady-state depth.
 struct velocity_contact_state {
-  double depth = std::numeric_limits<double>::quiet_NaN();  ///< In the cycle before [m]; NaN if none.
-  double jump = 0;  ///< The largest jump of the depth by a count, slowly forgotten [m].
+  double depth = std::numeric_limits<double>::quiet_NaN();  ///< In the previous cycle [m]; NaN if none.
+  double jump = 0;  ///< Maximum jump of the depth by a count, with slow decay [m].
   double bias = 0;  ///< b [N]
 
-  /// The depth of rest [m], after a cycle of duration dt [s] in which the handle moved by `moved` [m] and has
-  /// the normal velocity `outward` [m/s].
+  /// Steady-state depth [m] after dt [s], a handle motion of `moved` [m] and a velocity `outward` [m/s].
   double rest_depth(double depth_now, double outward, double moved, double dt,
                     const velocity_direct_control_parameters& p) {
-    // NaN, in the first cycle, is no jump
+    // NaN in the first cycle is no jump
     const double by_count = std::min(std::abs(depth_now - depth) - 2 * dt * std::abs(outward), moved);
     jump = std::max(jump * (1 - std::min(dt / p.jump_time, 1.0)), by_count);
     depth = depth_now;

@@ -1,5 +1,4 @@
-/// @file
-/// Direct control at the level of velocities: the handle neither sinks into a wall nor drifts off it.
+/// Velocity-level direct control: keeps the handle at a small depth in each wall.
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>
@@ -23,76 +22,70 @@
 
 namespace passive_haptics {
 
-/// Direct control that keeps the handle at a small depth in each wall, by a normal force f of the brakes that
-/// is mostly learned: the measured hand force, the brakes' gains and the inertia need not be right.
+/// Direct control that keeps the handle at a small depth in each wall. The normal force f is mostly learned,
+/// so the measured hand force, the brake gains and the inertia need not be accurate.
 ///
 ///     f   = f_ff + b + Lambda_n (v_ref - n . v) / tau_v                              demand of the wall [N]
-///     f_ff = -Lambda_n (v^T H v + n . a_0)                                           fed forward
+///     f_ff = -Lambda_n (v^T H v + n . a_0)                                           feedforward
 ///     v_ref = clip(k_d (depth - d_ref), +-v_max),
 ///     db/dt = Lambda_n (v_ref - n . v) / (tau_v tau_i)                               the bias
 ///
-/// H is the curvature of the wall, Lambda_n the inertia along n of the device and of a hand m_h on its
-/// handle; a_0 is the acceleration without brakes under the share phi of the measured hand force. More of
-/// that force would feed the hand's own mass back. The brakes make f as nearly as they can, with the least
-/// power, and nothing where it would have to push the handle in. Their lag is inverted over a horizon.
+/// H is the curvature of the wall, Lambda_n the inertia along n of the device with a hand mass m_h on its
+/// handle, and a_0 the acceleration without brakes under the share phi of the measured hand force. (A larger
+/// share would feed back the hand's own mass.) The brakes produce f as accurately as possible with minimum
+/// power, and nothing if they would have to push the handle in. Their lag is inverted over a horizon.
 ///
-/// **Brakes that come to rest.** In steady sliding the torque that cancels the push is the torque that
-/// sticks. A brake that sticks holds, whatever its command: then b does not grow, and while the handle leaves
-/// it falls to a 1/e of itself on release_length, until the brake slips again and its torque is known. A
-/// brake at rest is counted for twice what holds it at most, the rest is up to the others, and for nothing
-/// where it would hold the handle in. While the handle sinks, no brake at rest is let go to less than it
-/// makes: gains and a sensor that are off may hide what holds it. The way in which a brake can push is that
-/// of its rate once the handle no longer sinks: the rate now may only be that of the landing (torque_range).
+/// **Sticking brakes.** In steady sliding, the torque that cancels the push is the sticking torque, and a
+/// sticking brake holds at any command. Therefore b does not grow then, and while the handle leaves, b decays
+/// to 1/e within release_length, until the brake slips and its torque is known. A brake at rest counts for at
+/// most twice its holding torque, and for nothing if it would hold the handle in. While the handle sinks, no
+/// brake at rest is reduced below its current torque, because errors of gains and sensor may hide the load.
+/// The direction of a brake is that of its rate after the landing (torque_range).
 ///
-/// **Several walls.** A wall whose f is not above 0 constrains nothing: one that is merely near changes
-/// nothing along another. Those with f > 0 get their forces together, as nearly as the brakes can. A brake
-/// at rest then takes its sign from the torque that holds it; w*, the rates that the walls want, decides
-/// only for one wall, as near a corner it is an imagined motion into the shallower one. Where the walls leave
-/// the handle no way to go (is_cornered), every brake stops it (stopping_torques), for to hold is right
-/// whatever each brake does for each wall; b waits. So they do for a handle that moves into all walls while
-/// one of these gets less than half of its f: near a fold no brake may have a force along a normal, and all
-/// together still stop the motion. A hand that pulls out leaves this state with the first cycle that reads
-/// it.
+/// **Several walls.** Only walls with f > 0 constrain the handle. They get their forces together, as
+/// accurately as possible. A brake at rest then takes its sign from its holding torque; the rates w* that the
+/// walls demand decide only for one wall, because near a corner they describe a fictitious motion into the
+/// shallower one. If the walls enclose the handle (is_cornered), all brakes stop it (stopping_torques) and b
+/// is frozen. The same applies to a handle that moves into all walls while one of them gets less than half of
+/// its f: near a fold no brake may have a force along a normal, but together they can stop the motion. A hand
+/// that pulls out ends this state in the first cycle that detects it.
 ///
-/// **The depth of rest** d_ref is rest_depth on fine encoders; on coarse ones, whose counts let the depth
-/// jump, it is a multiple of these jumps (velocity_contact_state). The less is known of lags and dead times,
-/// the deeper it has to be: docs/results.md has the separations for 1 to 4 mm. b and the jumps belong to a
-/// contact; contact_memory says which one it continues when the hand passes to another face or wall.
+/// **Steady-state depth.** d_ref is rest_depth with fine encoders, and a multiple of the depth jumps with
+/// coarse ones (velocity_contact_state). It must be larger if lags and dead times are less certain:
+/// docs/results.md has contact losses for 1 to 4 mm. b and the jumps belong to a contact (contact_memory).
 ///
-/// **The margin.** A handle that comes at 0.1 m/s is over a millimetre deep before lagging brakes hold it. So
-/// that they begin before, scenes give contacts from margin() on: approach_speed (1 / k_d + 3 T_b), T_b that
-/// of the slowest brake. A contact held by a slow virtual environment is carried on to second order from
-/// where it was sensed; with a margin it is known in time.
+/// **Margin.** At 0.1 m/s, a handle is over a millimetre deep before lagging brakes hold it. Scenes therefore
+/// provide contacts from margin() on, approach_speed (1 / k_d + 3 T_b) with T_b of the slowest brake.
+/// Contacts held by a slow virtual environment are extrapolated to second order from their sensed position.
 ///
-/// Needs the hand force, the inertia and the brakes' lag. Cost: a Cholesky of n x n; one more solution with
-/// it where a brake is at rest; for several walls a projection onto a cone and a prioritised least squares.
+/// Requires the hand force, the inertia and the brake lag. Cost: an n x n Cholesky decomposition and, with a
+/// brake at rest, another solution; for several walls a cone projection and a prioritised least squares.
 class velocity_direct_control {
  public:
   static constexpr bool needs_hand_force = true;   ///< Needs a force sensor at the handle.
   static constexpr bool needs_dynamics = true;     ///< Needs the inertia of the mechanism.
-  static constexpr bool needs_brake_lag = true;    ///< Needs the brakes' time constants.
-  static constexpr bool needs_sensed_at = true;    ///< Carries a held contact on to where the handle is now.
+  static constexpr bool needs_brake_lag = true;    ///< Needs the time constants of the brakes.
+  static constexpr bool needs_sensed_at = true;    ///< Extrapolates held contacts to the handle.
   static constexpr bool needs_rising_time = true;  ///< Integrates over the time between cycles.
-  static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
-  static constexpr int max_contacts = 8;           ///< Walls that it remembers at once.
+  static constexpr bool commands_torques = true;   ///< Required by TorqueLaw.
+  static constexpr int max_contacts = 8;           ///< Maximum number of walls.
 
-  using contact_state = velocity_contact_state;  ///< Of one contact.
-  /// What it remembers.
+  using contact_state = velocity_contact_state;  ///< State of one contact.
+  /// Memory between cycles.
   struct memory {
-    contact_memory<contact_state, max_contacts> walls;        ///< Each contact's.
-    brake_lag_model brakes;                                   ///< What the brakes make.
+    contact_memory<contact_state, max_contacts> walls;        ///< One state per contact.
+    brake_lag_model brakes;                                   ///< Torques of the brakes.
     approximation_start start;                                ///< n > d: the brakes that come to rest.
-    bool moving = false;                                      ///< Rates and time are known.
-    double time = 0;                                          ///< Of the cycle before [s].
-    std::array<double, brake_lag_model::max_brakes> rates{};  ///< Of the joints, low-passed [rad/s or m/s].
-    seen_position position;                                   ///< Of the handle.
+    bool moving = false;                                      ///< Rates and time are valid.
+    double time = 0;                                          ///< Time of the previous cycle [s].
+    std::array<double, brake_lag_model::max_brakes> rates{};  ///< Low-passed joint rates [rad/s or m/s].
+    seen_position position;                                   ///< Position of the handle.
   };
 
-  /// Throws std::invalid_argument with the text of validate(p).
+  /// Throws std::invalid_argument if validate(p) returns an error.
   explicit velocity_direct_control(const velocity_direct_control_parameters& p = {}) : p_(require_valid(p)) {}
 
-  /// The constants as given.
-  const velocity_direct_control_parameters& parameters() const { return p_; }
+  const velocity_direct_control_parameters& parameters() const { return p_; }  ///< The constants as given.
 
   /// Distance from a wall at which its contact is needed [m].
   template <class B>
@@ -131,7 +124,7 @@ class velocity_direct_control {
     else return min_power_torque(device, dynamics, qd, walls, count, dt, remembered);
   }
 
-  /// Free space or a fault: the walls are forgotten.
+  /// Forgets the walls.
   void released(memory& remembered, double) const noexcept {
     remembered.walls.clear();
     remembered.brakes.release();
@@ -139,7 +132,7 @@ class velocity_direct_control {
   }
 
  private:
-  // n > d: torques by the signs of brakes that have settled
+  // n > d: torques with settled signs
   template <class M, class Device, class Wall, std::size_t Capacity>
   brake_vector<M> settled_torque(const Device& device, const pose_dynamics<M>& dynamics,
                                  std::array<Wall, Capacity>& walls, int count, double dt,
@@ -157,7 +150,7 @@ class velocity_direct_control {
         device, found.capacity, passive_haptics::lag_shares(device.brakes, p_.horizon), remembered.brakes);
   }
 
-  // n = d: torques of least power
+  // n = d: torques of minimum power
   template <class M, class Device, class Wall, std::size_t Capacity>
   brake_vector<M> min_power_torque(const Device& device, const pose_dynamics<M>& dynamics,
                                    const joint_vector<M>& qd, std::array<Wall, Capacity>& walls, int count,
@@ -183,7 +176,6 @@ class velocity_direct_control {
     return passive_haptics::torques_to_command(device, t, brakes.lag_share, remembered.brakes);
   }
 
-  // Low-passed joint rates [rad/s or m/s]
   template <class M>
   joint_vector<M> smooth_rates(const joint_vector<M>& qd, double dt, memory& remembered) const {
     static_assert(M::dof <= static_cast<int>(brake_lag_model::max_brakes),
@@ -209,7 +201,7 @@ class velocity_direct_control {
     return static_cast<T>(p_.velocity_lag_for(max_lag(brakes)));
   }
 
-  // Every brake stops the motion. One at rest stays so: to let it go quickly would be of no use.
+  // All brakes stop the motion. The lag of brakes at rest is not inverted.
   template <class M, class Device>
   brake_vector<M> stop(const Device& device, const pose_dynamics<M>& dynamics,
                        const weighted_motion<M>& motion, memory& remembered) const {
@@ -224,7 +216,6 @@ class velocity_direct_control {
         share, remembered.brakes);
   }
 
-  // The bias, after torques of these magnitudes [N m]
   template <class Wall, class T, int Brakes>
   void learn(const Wall& wall, const torque_range<T, Brakes>& brakes, const vector<T, Brakes>& t,
              double dt) const {

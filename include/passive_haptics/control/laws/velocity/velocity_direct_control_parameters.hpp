@@ -1,4 +1,3 @@
-/// @file
 /// Constants of velocity_direct_control.
 #pragma once
 
@@ -10,30 +9,29 @@ namespace passive_haptics {
 
 /// Constants of velocity_direct_control, tuned in simulation on random devices (docs/results.md).
 struct velocity_direct_control_parameters {
-  double depth_gain = 20;          ///< k_d [1/s]: velocity for each metre that the depth is off.
+  double depth_gain = 20;          ///< k_d [1/s]: velocity per depth error.
   double velocity_limit = 0.1;     ///< v_max of the reference velocity [m/s].
-  double velocity_lag = 0.0075;    ///< tau_v [s], in which the normal velocity would reach its reference.
+  double velocity_lag = 0.0075;    ///< tau_v [s], time constant of the normal velocity.
   double integral_time = 0.1;      ///< tau_i [s] of the bias.
-  double release_length = 160e-6;  ///< l_r [m], of leaving too fast, on which a brake that sticks is let go.
-  double hand_mass = 0.4;          ///< m_h [kg], that the hand may add to the device's inertia.
-  double force_share = 0.22;       ///< phi [1] of the measured hand force, fed forward.
-  double rate_lag = 0.004;         ///< Low-pass of the joint rates, behind that of the encoders [s].
-  double horizon = 0.005;          ///< eta [s], over which the brakes' lag is inverted.
-  double rest_depth = 2e-3;        ///< d_0, at which the handle shall rest [m];
-  double depth_per_jump = 4.5;  ///< or this many times what the depth jumps by a count of the encoders [1].
-  double approach_speed = 0.1;  ///< Of a hand that comes to a wall [m/s]: it gives the margin; 0: none.
+  double release_length = 160e-6;  ///< l_r [m], outward motion in which a sticking brake is released.
+  double hand_mass = 0.4;          ///< m_h [kg], mass of the hand in addition to the device.
+  double force_share = 0.22;       ///< phi [1], feedforward share of the measured hand force.
+  double rate_lag = 0.004;         ///< Low-pass of the joint rates, after that of the encoders [s].
+  double horizon = 0.005;          ///< eta [s], horizon of the lag inversion.
+  double rest_depth = 2e-3;        ///< d_0, steady-state depth [m].
+  double depth_per_jump = 4.5;     ///< Steady-state depth per jump of the depth by an encoder count [1].
+  double approach_speed = 0.1;  ///< Of a hand that approaches a wall [m/s]; determines the margin; 0: none.
 
-  static constexpr double jump_time = 2;          ///< In which a jump of the depth is forgotten [s].
-  static constexpr double max_rest_depth = 5e-3;  ///< d_ref at most, for the sake of jumps [m].
+  static constexpr double jump_time = 2;          ///< Decay time of the maximum jump [s].
+  static constexpr double max_rest_depth = 5e-3;  ///< Maximum of d_ref for jumps [m].
 
-  /// How far off a wall its contact is needed [m], with brakes of this lag [s].
+  /// Distance from a wall at which its contact is needed [m], for a brake lag [s].
   constexpr double margin(double lag) const { return approach_speed * (1 / depth_gain + 3 * lag); }
-  /// tau_v [s] with brakes of this lag [s]: longer for slow ones, which would overshoot.
+  /// tau_v [s] for a brake lag [s]: longer for slow brakes, to avoid overshoot.
   constexpr double velocity_lag_for(double lag) const {
     return std::max(velocity_lag, std::min(0.3 * lag, 0.0125));
   }
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = velocity_direct_control_parameters;
     return member_table(member("depth_gain", &p::depth_gain, "1/s", range::positive),

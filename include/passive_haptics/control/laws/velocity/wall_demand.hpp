@@ -1,5 +1,4 @@
-/// @file
-/// The normal force that velocity_direct_control demands for a wall, and what it learns of it.
+/// Normal force that velocity_direct_control demands for a wall, and its learning.
 #pragma once
 
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
@@ -14,22 +13,21 @@
 
 namespace passive_haptics {
 
-/// Demand of a wall on the brakes.
+/// Demand of a wall.
 template <class T, int D, int Brakes>
 struct wall_demand {
-  normal_response<T, D, Brakes> along;  ///< Response of the device along its normal.
-  T speed_error;                        ///< v_ref - n . v [m/s]: > 0 where the handle shall leave faster.
+  normal_response<T, D, Brakes> along;  ///< Response of the device along the normal.
+  T speed_error;                        ///< v_ref - n . v [m/s]: > 0 if the handle should leave faster.
   T stop_speed;                         ///< -n . v [m/s]
   T damping;                            ///< Lambda_n / tau_v [N s/m]
   T feedforward;                        ///< f_ff [N]
   T force;                              ///< f [N]
   velocity_contact_state* state;        ///< Memory of the contact.
 
-  /// True if the handle may not go further into the wall: it is touched, or wants a force before.
+  /// True if the handle may not move further in: the wall is touched or demands a force.
   bool is_closed() const { return force > T(0) || state->depth > 0; }
 
-  /// The bias, after dt [s] of the normal force `made` [N], which can be `max_force` at most; sticks: brakes
-  /// at rest make it.
+  /// Updates the bias after dt [s] with the force `made` <= `max_force` [N]; sticks: by brakes at rest.
   void learn(T made, T max_force, bool sticks, double dt, const velocity_direct_control_parameters& p) const {
     double& bias = state->bias;
     const double forward = static_cast<double>(feedforward), error = static_cast<double>(speed_error);
@@ -42,8 +40,7 @@ struct wall_demand {
   }
 };
 
-/// The demand of a contact, dt [s] after the cycle before, the handle having moved by `moved_by` [m] since.
-/// Fh: the share of the hand's force that is fed forward [N]. lag: tau_v [s].
+/// Demand of a contact, dt [s] and moved_by [m] after the last cycle. Fh: feedforward [N]. lag: tau_v [s].
 template <class M, int D, class Device, class T = typename M::scalar>
 wall_demand<T, D, M::brake_count> wall_demand_of(const contact<D>& sensed, const Device& device,
                                                  const pose_dynamics<M>& dynamics, const task_vector<M>& Fh,
@@ -63,7 +60,7 @@ wall_demand<T, D, M::brake_count> wall_demand_of(const contact<D>& sensed, const
   return {along, speed_error, static_cast<T>(-outward), damping, feedforward, force, &state};
 }
 
-/// Brings walls that demand a force to the front; the number of these. One wall decides by itself.
+/// Moves walls that demand a force to the front and returns their number. A single wall always counts.
 template <class Wall, std::size_t Capacity>
 int demanding_first(std::array<Wall, Capacity>& walls, int count) {
   if (count == 1) return 1;
@@ -72,8 +69,8 @@ int demanding_first(std::array<Wall, Capacity>& walls, int count) {
   return static_cast<int>(end - walls.begin());
 }
 
-/// w* = w + sum_j g_j p_j [rad/s or m/s], the rates when normal impulses p have brought the handle to v_ref
-/// at each wall: n_i . (sum_j J M^-1 J^T n_j p_j) = slow_i, by Gauss-Seidel, exact for one wall.
+/// w* = w + sum_j g_j p_j [rad/s or m/s], the rates after impulses p that bring the handle to v_ref: n_i .
+/// (sum_j J M^-1 J^T n_j p_j) = min(speed_error_i, stop_speed_i), by Gauss-Seidel, exact for one wall.
 template <class M, class Wall, std::size_t Capacity>
 brake_vector<M> landing_rates(const std::array<Wall, Capacity>& walls, int count,
                               const pose_dynamics<M>& dynamics) {
