@@ -1,5 +1,5 @@
 // The passive FMEs of Fig. 2 and the force approximation of Fig. 3: l1 = l2 = 1, joint angles (45, 90) deg,
-// the handle moves along -y. Uses the stages one by one; a control loop would call step() or a controller.
+// the handle moves along -y. Calls the stages one by one; a control loop would call step() or a controller.
 #include <passive_haptics/passive_haptics.hpp>
 
 #include <command_line.hpp>
@@ -30,7 +30,7 @@ int main(int argc, char** argv) try {
                 0 - R[1]);
   }
 
-  // The handle moves along -y, so brake 1 turns backwards and brake 2 forwards.
+  // The handle moves along -y, so brake 1 rotates backwards and brake 2 forwards.
   const force v(0, -1);
   const ph::brake_vector<device> w = ph::matrix<double, 2, 2>(E).partialPivLu().solve(v);
   const auto s = ph::brake_signs<double, 2>(w, ph::brake_vector<device>::Zero(), brakes);

@@ -1,6 +1,5 @@
-// The main job: a hand moves the paper's device along a virtual wall (section 5) without direct control, with
-// it, and with velocity_direct_control; the environment at 1 kHz and at 20 Hz. Prints a table, leaves logs
-// and a plot.
+// A hand moves the paper's device along a virtual wall (section 5) without direct control, with it, and with
+// velocity_direct_control; the environment runs at 1 kHz or 20 Hz. Prints a table, writes logs and a plot.
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
@@ -24,12 +23,12 @@ using plane_vector = ph::vector<double, 2>;
 
 namespace {
 
-// The wall of section 5.2, free below, and where the handle comes from.
+// The wall of section 5.2, free below, and the start of the handle.
 const ph::half_space<2> surface({0, 0.225}, {0, -1});
-const plane_vector start(0.045, 0.221);        // 4 mm off the wall [m]
+const plane_vector start(0.045, 0.221);        // 4 mm from the wall [m]
 const plane_vector start_velocity(0.05, 0.1);  // along the wall and into it [m/s]
 
-// A hand that yields: it aims 3 mm beyond where 300 N/m push with 1.75 N.
+// A compliant hand: a target 3 mm beyond the point at which 300 N/m push with 1.75 N.
 ph::following_hand_parameters<double> yielding_hand() {
   ph::following_hand_parameters<double> p;
   p.push = 1.75;
@@ -38,14 +37,14 @@ ph::following_hand_parameters<double> yielding_hand() {
   return p;
 }
 
-// Brakes just strong enough for it: normal to the wall they make 1.4 to 3 times its push.
+// Brakes just strong enough for it: normal to the wall they produce 1.4 to 3 times its push.
 ph::brakes_of<device> weak_brakes() {
   ph::brakes_of<device> brakes;  // lag 20 ms, dead band 0.02 rad/s
   brakes.torque_limit.setConstant(0.129);
   return brakes;
 }
 
-// The log of a run: state and decision of the controller, and what was true 0.1 ms later.
+// The log of a run: state and result of the controller, and the true motion 0.1 ms later.
 class run_log {
  public:
   explicit run_log(int live_port) : stream_(live_port) {}
@@ -101,7 +100,7 @@ void print_line(double environment_rate, const char* law_name, const ph::contact
   std::fflush(stdout);
 }
 
-// The depth alone: what the library is for, in one picture.
+// Script for a picture of the depths.
 std::string depth_script(const std::string& name) {
   return "set terminal svg noenhanced size 900,330 font 'sans,14' background 'white'\nset output output\n"
          "set datafile separator ','\nset datafile columnheaders\n"
@@ -188,7 +187,7 @@ int main(int argc, char** argv) try {
               "depth", "brake 2", "Fh std", "retarding");
   std::printf("%-8s  %-24s %8s %8s %8s %8s %10s %9s %9s\n", "", "", "tions", "[mm]", "mean", "std", "sticks",
               "[N]", "force [N]");
-  double max_power = 0;  // that any brake gave to the device [W]
+  double max_power = 0;  // of any brake on the device [W]
   constexpr double drawn = 20;
   for (const double rate : {1000.0, drawn}) {
     const auto run = [&](const char* law_name, auto law) {

@@ -1,6 +1,6 @@
-// A mechanism of your own: a planar arm of three links, of which only the position is written down. The
-// Jacobian comes by automatic differentiation. Three joints for two dimensions leave self-motion: a
-// force counts as displayed that a hand feels once the self-motion has settled.
+// A custom mechanism: a planar arm of three links, defined by its position only. The Jacobian follows by
+// automatic differentiation. Three joints for two dimensions have self-motion: a force counts as displayed if
+// the hand feels it once the self-motion has settled.
 #include <passive_haptics/passive_haptics.hpp>
 
 #include <iostream>

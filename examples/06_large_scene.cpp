@@ -1,6 +1,5 @@
-// A scene that costs what it touches: a hand wanders among 10 to 100 000 small balls over a hill of
-// triangles. A table and a picture of what a cycle looks at and how long it takes, beside a look at
-// everything.
+// A scene with a cost that depends on the touched walls only: a hand moves among 10 to 100 000 small balls
+// over a hill of triangles. A table and a picture compare the work and time per cycle with a full scan.
 #include <command_line.hpp>
 #include <output.hpp>
 
@@ -25,7 +24,7 @@ constexpr unsigned seed = 20040627;
 constexpr int cycles = 20'000;        // 20 s at 1 kHz
 constexpr double step_length = 2e-4;  // [m]: 0.2 m/s
 
-// A shape of one's own: a ball that counts how often its distance is taken.
+// A custom shape: a ball that counts calls of distance().
 struct counting_ball {
   static constexpr int dimension = 3;
   double distance(const ph::point<3>& x) const {
@@ -33,7 +32,7 @@ struct counting_ball {
     return ball.distance(x);
   }
   ph::point<3> gradient(const ph::point<3>& x) const { return ball.gradient(x); }
-  ph::bounding_box<3> bounds() const { return ball.bounds(); }  // so that far ones are skipped
+  ph::bounding_box<3> bounds() const { return ball.bounds(); }  // allows distant ones to be skipped
   ph::ball<3> ball;
   long* looks;
 };
@@ -63,7 +62,7 @@ ph::mesh_surface<3> hill() {
   return ph::mesh_surface<3>(ph::triangle_mesh(ph::height_field(field)));
 }
 
-// Where the hand is, each millisecond: it goes from place to place, on straight ways.
+// Positions of the hand each millisecond: straight lines between random places.
 std::vector<ph::point<3>> wandering() {
   std::mt19937_64 random(seed + 1);
   std::vector<ph::point<3>> path{{0.5, 0.5, 0.5}};
@@ -75,7 +74,7 @@ std::vector<ph::point<3>> wandering() {
   return path;
 }
 
-// The median of several runs along the path: other programs disturb some of them.
+// Median of several runs along the path, since other programs disturb some of them.
 template <class F>
 double nanoseconds_each(const std::vector<ph::point<3>>& path, std::size_t stride, const F& f) {
   constexpr std::size_t runs = 5;
@@ -120,7 +119,7 @@ int main(int argc, char** argv) try {
       total += looks;
       most = std::max(most, looks);
     }
-    int touched = 0;  // printed, so that the work is done
+    int touched = 0;  // printed, so that the work is not optimised away
     const double each =
         nanoseconds_each(path, 1, [&](const auto& x) { touched += ph::sense(world, x).size(); });
     const double scan = nanoseconds_each(path, 40, [&](const auto& x) {

@@ -1,6 +1,5 @@
-// Three tests on a bench identify a brake: steps of the current, a slow ramp of it, a sweep of the rate.
-// Here the bench is simulated, behind the same port and torque sensor as a real one, so that what is found
-// can be compared.
+// Identifies a brake by three tests on a bench: steps of the current, a slow ramp, a sweep of the rate. The
+// bench is simulated behind the port and torque sensor of a real one, so that the results can be compared.
 #include <brakes_section.hpp>
 #include <command_line.hpp>
 #include <output.hpp>
@@ -34,14 +33,14 @@ namespace ph = passive_haptics;
 
 namespace {
 
-using device = ph::tendon_two_link<double>;  // which gets two such brakes
+using device = ph::tendon_two_link<double>;  // with two such brakes
 
 constexpr example::simulated_bench_parameters how;
 
 constexpr double current = 0.5, steady_rate = 2, pause = 0.5, ramp_time = 10;  // [A, rad/s, s, s]
 constexpr double min_rate = 0.02, max_rate = 20, sweep_time = 40;              // [rad/s, rad/s, s]
 
-// Currents [A] at a time [s] of each test; the axis turns steadily but in the sweep.
+// Currents [A] at a time [s] of each test; the axis rotates steadily except in the sweep.
 double step_up(double t) { return t < pause ? 0 : current; }
 double step_down(double t) { return t < pause ? current : 0; }
 double ramp(double t) {
@@ -73,11 +72,11 @@ std::string table(const std::vector<ph::bench_sample>& samples) {
 }
 
 using function_of_time = double (*)(double);
-// Samples of a test, by its current [A] and rate [rad/s]; they also go to the file of its name.
+// Samples of a test with this current [A] and rate [rad/s], also written to a file of this name.
 using bench_test = std::function<std::vector<ph::bench_sample>(const char* name, function_of_time current_at,
                                                                function_of_time rate, double duration)>;
 
-// torque_at: what the driver believes that a current makes [N m]
+// torque_at: torque of a current according to the driver [N m]
 template <class Model>
 bench_test test_of(const Model& brake, const std::function<double(double)>& torque_at,
                    const std::filesystem::path& directory) {
@@ -145,7 +144,7 @@ void identify(const bench_test& record, const std::filesystem::path& directory) 
   print("critical_rate", eddy.critical_rate, "rad/s");
   print("peak_torque", eddy.peak_torque, "N m");
 
-  // What a controller and brake_driver take of two such brakes
+  // Parameters of a controller and brake_driver for two such brakes
   if (eddy.deviation < 0.5 * std::min(viscous.deviation, stribeck.deviation)) {
     std::printf("\nno brakes.toml: the torque depends on the rate, see rate_limited_brakes\n");
     return;

@@ -1,5 +1,5 @@
-// Which device is better for a task, before there is a device: the paper's with other reductions, five-bars
-// with two and four brakes, an arm of three joints.
+// Compares devices for a task before any is built: the paper's with other reductions, five-bars with two and
+// four brakes, an arm of three joints.
 #include "design/devices.hpp"
 #include "design/pictures.hpp"
 #include "design/sinking_hand.hpp"

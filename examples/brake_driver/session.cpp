@@ -37,7 +37,7 @@ class session {
                c.safety.currents) {}
 
   int run() {
-    // Processes first, then what makes the loop quick, then the device, whose threads inherit it
+    // Processes first, then real-time settings, then the device with its threads, which inherit them
     std::string error = record_.start();
     if (error.empty()) error = guard_.start();
     const ph::real_time quick(error.empty() ? configuration_.real_time : ph::real_time_parameters());
@@ -70,9 +70,9 @@ class session {
   }
 
  private:
-  static constexpr int fault_status = 3, log_status = 4;  // both: their sum
+  static constexpr int fault_status = 3, log_status = 4;  // both: sum
 
-  // A device that lets go before the supervisor acts would break the promise of the policy
+  // A device that releases before the supervisor acts would violate the policy
   void check_watchdog() const {
     const double watchdog = port_.port().watchdog(), latest = configuration_.supervisor.latest();
     if (configuration_.safety.at_release.policy == ph::release_policy::zero || latest < watchdog) return;
@@ -82,7 +82,7 @@ class session {
         ", or at_release = \"zero\"");
   }
 
-  // What becomes of the currents, whoever dies
+  // Currents after the death of a process
   std::string release_in_words() const {
     const ph::release_parameters& release = configuration_.safety.at_release;
     const double watchdog = port_.port().watchdog();
@@ -101,8 +101,8 @@ class session {
                          "reach\n");
   }
 
-  // Whatever ended the loop released the brakes: what may flow on is given each cycle, to its end. Then 0 A:
-  // a port with a thread of its own reports later whether the device took it
+  // After the loop has released the brakes: continues the release each cycle to its end, then 0 A. A threaded
+  // port reports the result later
   void see_the_release_through(ph::control_loop<>& loop, ph::loop_report& report) {
     const double end = ph::monotonic_seconds() + configuration_.safety.at_release.max_duration();
     go_on_while(loop, report,
@@ -122,7 +122,7 @@ class session {
         [&](const ph::loop_cycle& now) {
           record r = device_->blank_record();
           port_.read(now.time);
-          device_->cycle(last_samples(now.time), phase::homing, r);  // where it is
+          device_->cycle(last_samples(now.time), phase::homing, r);  // for the position
           beat(now.time);
           port_.write({});
           log({before + now.number, now.time, now.late}, r);
@@ -151,7 +151,7 @@ class session {
 
     record r = device_->blank_record();
     const auto wanted = device_->cycle(read, doing_, r);
-    beat(now.time);  // last: a supervisor that released meanwhile is heard before currents go out
+    beat(now.time);  // last: a release by the supervisor is detected before currents are written
     port_.write(wanted);
     log(now, r);
     return r.time < options_.seconds;
@@ -187,14 +187,14 @@ class session {
     if (!record_(r)) warn_of_a_full_log();
   }
 
-  // Releases by a fault, rearmed or not: a run that had one does not end as if it had none
+  // Counts releases by faults, rearmed or not, for the exit status
   void count_faults(const record& r) {
     const bool faulty = r.state == ph::port_state::released && r.reason.what != ph::fault::user;
     if (faulty && !faulty_ && faults_++ == 0) first_fault_ = r.reason;
     faulty_ = faulty;
   }
 
-  // Once, and not where it would have to wait: whoever writes the log down may be dead
+  // Once, without waiting: the recorder may be dead
   void warn_of_a_full_log() {
     constexpr std::string_view text = "warning: log: cycles are lost, as nobody writes them down in time\n";
     if (std::exchange(warned_, true) || !warnings_.is_open()) return;
@@ -251,20 +251,20 @@ class session {
   ph::recorder<record, report_sink> record_;
   ph::supervisor<any_brake_port> guard_;
   ph::stop_signals signals_;
-  // stderr, opened anew, as others share what it is; of a file nothing is known of how long it takes
+  // stderr, reopened because it is shared; not for a file, since writing may take long
   file_descriptor warnings_{isatty(STDERR_FILENO) != 0
                                 ? open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)
                                 : -1};
   bool warned_ = false;
   bool was_active_ = false;
-  wall_depth deepest_;  // when the brakes last were to come on
+  wall_depth deepest_;  // at the last attempt to activate
   phase doing_ = phase::homing;
   double begin_ = 0;         // [s]
   std::int64_t number_ = 0;  // of the last cycle
   int faults_ = 0;           // that released the brakes
   bool faulty_ = false;      // in the last cycle
   ph::fault_record first_fault_;
-  bool recorded_ = true;  // whether the recorder came to its end
+  bool recorded_ = true;  // true if the recorder ended well
 };
 
 }  // namespace

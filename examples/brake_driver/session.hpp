@@ -1,5 +1,4 @@
-/// @file
-/// From a configuration to brakes that hold: everything started in its order, the loop, and the summary.
+/// A session: starts everything in order, runs the loop and prints a summary.
 #pragma once
 
 #include <configuration/configuration.hpp>
@@ -8,16 +7,15 @@
 
 namespace example {
 
-/// How a session is to run.
 struct session_options {
-  double seconds = std::numeric_limits<double>::infinity();  ///< When it ends by itself.
-  bool live = true;                                          ///< Whether the terminal shows it.
-  int live_port = 0;  ///< Local UDP port that gets the log as it comes (docs/guide/log.md); 0 for none.
+  double seconds = std::numeric_limits<double>::infinity();  ///< Duration.
+  bool live = true;                                          ///< Displays it in the terminal.
+  int live_port = 0;  ///< Local UDP port for the live log (docs/guide/log.md); 0 for none.
 };
 
-/// Runs until a signal, the time or an exception ends it. 0, or 1 where the device is not there; else 3 where
-/// a fault released the brakes, rearmed or not, or the device did not confirm 0 A, 4 where the log is not
-/// whole, 7 both. Throws std::invalid_argument with what is wrong with the configuration.
+/// Runs until a signal, the time or an exception. Returns 0; 1 without the device; 3 if a fault released the
+/// brakes, rearmed or not, or the device did not confirm 0 A; 4 if the log is incomplete; 7 for both. Throws
+/// std::invalid_argument for a wrong configuration.
 int run_session(const configuration& c, const session_options& options);
 
 }  // namespace example

@@ -1,6 +1,5 @@
-/// @file
-/// All mechanisms, laws, shapes and brake models of the library by name, with controllers of each mechanism
-/// under each law. A program of your own adds what it has:
+/// Mechanisms, laws, shapes and brake models of the library by name, with controllers of each mechanism under
+/// each law. A program adds its own:
 ///
 ///     ph::runtime::catalogue& all = example::catalogue();
 ///     all.add_mechanism<crane>("crane");
@@ -12,7 +11,7 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// The catalogue of this program, filled by the first call. Make that call before threads start.
+/// The catalogue of this program, filled by the first call, which must precede threads.
 ph::runtime::catalogue& catalogue();
 
 }  // namespace example

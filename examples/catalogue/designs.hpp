@@ -1,5 +1,4 @@
-/// @file
-/// Functions of design and wall-following experiments for all mechanisms of the catalogue: link
+/// Design functions and wall-following experiments for all mechanisms of the catalogue: link
 /// passive_haptics_designs.
 #pragma once
 
@@ -7,7 +6,7 @@
 
 namespace example {
 
-/// The list of this program, filled by the first call. Make that call before threads start.
+/// The list of this program, filled by the first call, which must precede threads.
 passive_haptics::runtime::design_list& designs();
 
 }  // namespace example

@@ -1,2 +1,2 @@
-// The device files of all programs here: no other source needs toml++.
+// Device files of all programs here: the only source that needs toml++.
 #include <passive_haptics/runtime/device_file/definitions.hpp>

@@ -1,4 +1,3 @@
-/// @file
 /// Functions that fill the catalogue, in addition to the lists of mechanisms and laws.
 #pragma once
 

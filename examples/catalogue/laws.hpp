@@ -1,4 +1,3 @@
-/// @file
 /// The control laws by name: one line for each.
 #pragma once
 
@@ -14,7 +13,7 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// All of them. A device file without a law gets the first that its device can have.
+/// All laws. The default of a device file is the first one that its device can use.
 inline constexpr std::tuple laws{
     ph::runtime::named_law<ph::velocity_direct_control>{"velocity_direct_control"},
     ph::runtime::named_law<ph::on_off_control>{"on_off_control"},

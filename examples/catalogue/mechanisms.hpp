@@ -1,5 +1,4 @@
-/// @file
-/// The mechanisms by name: one line for each, and one in CMakeLists.txt for a new kind of mechanism.
+/// Mechanisms by name: one line for each, and one in CMakeLists.txt for a new kind of mechanism.
 #pragma once
 
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
@@ -15,26 +14,25 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// Both structs that make a chain with inertia.
+/// Parameters of a chain with inertia.
 template <int N, int D>
 struct heavy_chain_parameters {
   ph::serial_chain_parameters<double, N, D> geometry;  ///< Joints and handle.
   ph::serial_chain_inertia<double, N, D> inertia;      ///< Links, rotors, handle and gravity.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = heavy_chain_parameters;
     return ph::member_table(ph::member("geometry", &p::geometry), ph::member("inertia", &p::inertia));
   }
 };
-/// A chain with inertia, made of both.
+/// A chain with inertia.
 template <int N, int D>
 struct heavy_chain : ph::serial_chain_with_inertia<double, N, D> {
   explicit heavy_chain(const heavy_chain_parameters<N, D>& p)
       : ph::serial_chain_with_inertia<double, N, D>(p.geometry, p.inertia) {}
 };
 
-/// Calls add<M, P>(name) for each mechanism M that is made of parameters P.
+/// Calls add<M, P>(name) for each mechanism M with parameters P.
 template <class F>
 void for_each_mechanism(F&& add) {
   add.template operator()<ph::tendon_two_link<double>, ph::tendon_two_link_parameters<double>>(

@@ -34,7 +34,7 @@ namespace ph = passive_haptics;
 using ph::runtime::any_parameters;
 using ph::runtime::any_shape;
 
-// A shape of parameters P that make(p, of) makes; of: the shape that it is made of, or nullptr.
+// A shape with parameters P, made by make(p, of); of: the shape that it is made from, or nullptr.
 template <int D, class P, class Make>
 ph::runtime::shape_entry<D> entry_of(const char* name, bool takes_shape, Make make) {
   const auto shape = [make](const any_parameters& p, const any_shape<D>* of) {
@@ -46,7 +46,7 @@ ph::runtime::shape_entry<D> entry_of(const char* name, bool takes_shape, Make ma
           }};
 }
 
-// make(K) for a number K of items of a list, K at least Least and at most Most, as a constant.
+// Calls make(K) with the number of list items as a constant, Least <= K <= Most.
 template <std::size_t Least, std::size_t Most, class Make>
 auto of_count(std::size_t count, const char* items, Make make) {
   if constexpr (Least < Most)
@@ -58,7 +58,7 @@ auto of_count(std::size_t count, const char* items, Make make) {
   return make(std::integral_constant<std::size_t, Least>());
 }
 
-// Corners of a polygon, as many as there are.
+// Any number of corners of a polygon.
 struct corner_list {
   std::vector<ph::point<2>> corners;
 
@@ -75,7 +75,7 @@ any_shape<2> polygon_of(const std::vector<ph::point<2>>& corners) {
   });
 }
 
-// Faces of a polytope, likewise.
+// Any number of faces of a polytope.
 template <int D>
 struct face_list {
   std::vector<ph::half_space_parameters<D>> faces;
@@ -93,7 +93,7 @@ any_shape<D> polytope_of(const std::vector<ph::half_space_parameters<D>>& faces)
                       });
 }
 
-// A mesh of a file.
+// A mesh in a file.
 struct mesh_file_parameters {
   std::string file;                            // .stl, .ply or .obj
   double metres_per_unit = 1e-3;               // of the file's numbers
@@ -122,7 +122,7 @@ ph::mesh<3> mesh_of(const mesh_file_parameters& p) {
   return ph::mesh<3>(std::move(found.mesh));
 }
 
-// Heights of a file: a line for each row, its numbers between blanks or commas.
+// Heights in a file: one line per row, separated by blanks or commas.
 struct height_file_parameters {
   std::string file;
   double metres_per_unit = 1e-3;  // of the file's numbers
@@ -169,7 +169,7 @@ ph::mesh<3> terrain_of(const height_file_parameters& p) {
   return ph::mesh<3>(ph::height_field(field));
 }
 
-// A surface of parameters P, without an inside, whose mesh mesh_of(p) reads.
+// A surface with parameters P, without an inside; mesh_of(p) reads its mesh.
 template <class P, class Mesh>
 ph::runtime::shape_entry<3> surface_of(const char* name, Mesh mesh_of) {
   return {name, any_parameters(P()), false, nullptr,
@@ -180,7 +180,6 @@ ph::runtime::shape_entry<3> surface_of(const char* name, Mesh mesh_of) {
 
 }  // namespace
 
-// The shapes by name.
 void add_shapes(ph::runtime::catalogue& all) {
   const auto add = [&]<int D>() {
     all.add_shape<ph::half_space<D>, ph::half_space_parameters<D>>("half_space");

@@ -1,5 +1,4 @@
-/// @file
-/// What a bench measured of two brakes, as brake_driver reads it.
+/// The section [brakes] of brake_driver from bench results.
 #pragma once
 
 #include <passive_haptics/bench/measured_brake.hpp>
@@ -10,8 +9,8 @@
 
 namespace example {
 
-/// The section [brakes] of a configuration of brake_driver, by itself a whole configuration of it. The
-/// rate_dead_band is left out: brake_driver computes it from [encoders].
+/// The section [brakes] of a configuration of brake_driver, which is also a complete configuration. Without
+/// the rate_dead_band, which brake_driver computes from [encoders].
 template <class M>
 std::string brakes_section(const passive_haptics::measured_brakes_of<M>& found) {
   static_assert(M::brake_count == 2, "brake_driver has two brakes");

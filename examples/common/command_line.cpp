@@ -22,14 +22,14 @@ namespace {
   std::exit(status);
 }
 
-// At the end of the program: what was printed may not have found room.
+// At the end of the program: reports output that did not fit on the disk.
 void tell_of_a_full_disk() {
   if (std::fflush(stdout) == 0 || (errno != ENOSPC && errno != EDQUOT && errno != EFBIG)) return;
   std::fprintf(stderr, "error: cannot write all of the output: %s\n", std::strerror(errno));
   std::_Exit(1);
 }
 
-// Validators of CLI11: empty, or what is wrong.
+// Validators of CLI11: an error text, or empty.
 std::string not_empty(const std::string& text) { return text.empty() ? "empty, expected a value" : ""; }
 
 auto number_that(bool (*is_right)(double), const char* expected) {
@@ -58,7 +58,7 @@ command_line::command_line(const std::string& name, const std::string& about)
     fail(std::string("/dev/null: ") + std::strerror(errno) +
              ", expected it in place of a closed descriptor; start the program with descriptors 0 to 2 open",
          1);
-  // A write that fails must neither end the program nor cost its exit status
+  // A failing write must neither end the program nor change its exit status
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   all_->set_help_flag("--help,-h", "this text");
   all_->get_formatter()->column_width(24);

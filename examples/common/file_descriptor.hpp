@@ -1,5 +1,4 @@
-/// @file
-/// An open file or socket, closed with its owner.
+/// An open file or socket with an owner.
 #pragma once
 
 #include <poll.h>
@@ -9,7 +8,7 @@
 
 namespace example {
 
-/// Owns one; -1 is none.
+/// Owns a descriptor; -1 for none.
 class file_descriptor {
  public:
   explicit file_descriptor(int fd = -1) noexcept : fd_(fd) {}
@@ -22,13 +21,10 @@ class file_descriptor {
     if (fd_ >= 0) ::close(fd_);
   }
 
-  /// For system calls.
   int get() const noexcept { return fd_; }
-  /// Is it?
   bool is_open() const noexcept { return fd_ >= 0; }
-  /// Closes it; nothing if it is not open.
   void close() noexcept { file_descriptor().swap(*this); }
-  /// Waits until it can be read, at most so long [s].
+  /// Waits until it can be read, at most `timeout` [s].
   void wait(double timeout) const noexcept {
     pollfd p{fd_, POLLIN, 0};
     poll(&p, 1, static_cast<int>(1e3 * timeout) + 1);

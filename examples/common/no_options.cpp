@@ -1,5 +1,5 @@
-// Before the main of an example that takes no options: it stays as short as README has it. The linker
-// calls this one in its place (--wrap=main).
+// Runs before the main of an example without options, which can thus be as short as in README. The linker
+// calls it instead of main (--wrap=main).
 #include <command_line.hpp>
 
 extern "C" int __real_main();

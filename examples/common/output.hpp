@@ -1,5 +1,4 @@
-/// @file
-/// Where examples leave their files: whole or not at all.
+/// Output files of examples: whole or not at all.
 #pragma once
 
 #include <output_file.hpp>
@@ -14,16 +13,15 @@
 
 namespace example {
 
-/// Gives `path` this content, or leaves what was there and throws std::runtime_error.
+/// Writes `path` with this content, or keeps the old file and throws std::runtime_error.
 inline void write_file(const std::filesystem::path& path, const std::string& content) {
   output_file file(path, leftover::replace);
   file.stream() << content;
   file.commit();
 }
 
-/// Runs a gnuplot script that ends in a picture `name`.svg; it finds the name to write to in the variable
-/// `output`. Where gnuplot is missing or fails, says so: the script and its data are there for another
-/// machine.
+/// Runs a gnuplot script for a picture `name`.svg; the variable `output` is the file to write. If gnuplot is
+/// missing or fails, reports it: script and data remain for another machine.
 inline void draw(const std::filesystem::path& directory, const std::string& name, const std::string& script) {
   write_file(directory / (name + ".gp"), "if (!exists('output')) output = '" + name + ".svg'\n" + script);
   const std::filesystem::path picture = directory / (name + ".svg");
@@ -32,7 +30,7 @@ inline void draw(const std::filesystem::path& directory, const std::string& name
               << (directory / (name + ".gp")).string() << "\n";
     return;
   }
-  // Through us, as gnuplot does not say that a disk is full. The path is absolute, as `cd -` and, with
+  // Through us, because gnuplot does not report a full disk. The path is absolute, because `cd -` and, with
   // CDPATH, `cd folder` go elsewhere
   const std::string run = "cd " + in_shell_quotes(std::filesystem::absolute(directory).string()) +
                           " && gnuplot -d -e \"output='/dev/stdout'\" " + in_shell_quotes(name + ".gp");

@@ -1,5 +1,4 @@
-/// @file
-/// A file that is there whole or not at all.
+/// Files that are written whole or not at all.
 #pragma once
 
 #include <passive_haptics/scene/files/file_kind.hpp>
@@ -20,16 +19,15 @@
 
 namespace example {
 
-/// What to do with a FILE.part that a program left that ended early.
+/// Treatment of a FILE.part of a program that ended early.
 enum class leftover {
-  refuse,  ///< It may be all that there is of a measurement.
-  replace  ///< What it holds can be computed again.
+  refuse,  ///< It may contain a measurement.
+  replace  ///< Its content can be computed again.
 };
 
-/// What is written goes to FILE.part, which commit() renames to FILE. FILE.part is exclusive: nobody else
-/// writes to it. FILE may be a regular file, which is replaced, a link to one, or not there; a device, FIFO,
-/// socket or directory is refused. Errors are std::runtime_error that name the path, what was expected and
-/// what to do.
+/// Writes to FILE.part, which commit() renames to FILE. FILE.part is exclusive. FILE may be a regular file,
+/// which is replaced, a link to one, or missing; a device, FIFO, socket or directory is rejected. Errors are
+/// std::runtime_error with path, expectation and remedy.
 class output_file {
  public:
   explicit output_file(const std::filesystem::path& path, leftover left = leftover::refuse)
@@ -47,19 +45,18 @@ class output_file {
     if (!kept_) unlink(part_.c_str());
   }
 
-  /// Where to write.
   std::ostream& stream() { return stream_; }
-  /// What is written stays in FILE.part where commit() is not reached or fails.
+  /// Keeps the data in FILE.part if commit() is not reached or fails.
   void keep() { kept_ = true; }
-  /// Why not all could be written so far: "No space left on device"; empty if nothing went wrong.
+  /// Reason of a failed write, "No space left on device"; empty if there is none.
   std::string error() const { return buffer_.error == 0 ? "" : std::strerror(buffer_.error); }
-  /// Whether somebody removed FILE.part: what was written is lost.
+  /// True if FILE.part was removed: the data is lost.
   bool is_removed() const {
     struct stat file{};
     return fstat(descriptor_, &file) == 0 && file.st_nlink == 0;
   }
 
-  /// Brings all to the disk and gives it the name FILE.
+  /// Writes all data to the disk and renames it to FILE.
   void commit() {
     stream_.flush();
     if (buffer_.error == 0 && fsync(descriptor_) != 0) buffer_.error = errno;
@@ -68,13 +65,13 @@ class output_file {
     if (buffer_.error != 0)
       throw std::runtime_error("cannot write all of '" + part_ + "': " + error() +
                                ", expected room for it; make room, or choose another folder");
-    place_of(path_);  // it may have changed meanwhile
+    place_of(path_);  // may have changed
     if (rename(part_.c_str(), path_.c_str()) != 0) fail(path_.string(), errno);
     close(std::exchange(descriptor_, -1));
   }
 
  private:
-  // Of a descriptor; remembers the first error.
+  // Buffer of a descriptor; stores the first error.
   class descriptor_buffer : public std::streambuf {
    public:
     explicit descriptor_buffer(int to) : to_(to) { setp(bytes_.data(), bytes_.data() + bytes_.size()); }
@@ -107,7 +104,7 @@ class output_file {
                              ", expected a folder that is there and where you may write");
   }
 
-  // The file itself, not a link to it, which the renaming would replace.
+  // The file instead of a link to it, which renaming would replace.
   static std::filesystem::path place_of(const std::filesystem::path& path) {
     const std::string kind = passive_haptics::file_kind(path);
     if (kind == "a regular file") return std::filesystem::canonical(path);
@@ -129,11 +126,11 @@ class output_file {
     if (file < 0) fail(part_, errno);
     struct flock all{};
     all.l_type = F_WRLCK;
-    fcntl(file, F_SETLK, &all);  // says only who writes
+    fcntl(file, F_SETLK, &all);  // only shows the writer
     return file;
   }
 
-  // Whoever writes to it has locked it; 0 if nobody has.
+  // Process that has locked the file; 0 for none.
   pid_t writer_of_part() const {
     struct flock all{};
     all.l_type = F_WRLCK;

@@ -1,5 +1,4 @@
-/// @file
-/// Whether a page of the docs has what a program prints.
+/// Comparison of pages of the docs with printed tables.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +22,8 @@ inline std::vector<std::string> words(const std::string& text) {
 }
 }  // namespace detail
 
-/// Whether two words are the same, or two numbers that differ by at most 30 % or one unit of the last digit
-/// printed: bouncing is chaotic, and a mathematics library may round otherwise.
+/// True for equal words, or numbers that differ by at most 30 % or one unit of the last printed digit:
+/// bouncing is chaotic, and mathematics libraries round differently.
 inline bool same_figure(const std::string& a, const std::string& b) {
   if (a == b) return true;
   char *end_a = nullptr, *end_b = nullptr;
@@ -35,7 +34,7 @@ inline bool same_figure(const std::string& a, const std::string& b) {
   return std::abs(x - y) <= std::max(0.3 * std::max(std::abs(x), std::abs(y)), 1.001 * unit);
 }
 
-/// The first word in which two texts differ, with what stands there in the other; empty if they agree.
+/// The first different word in both texts; empty if they agree.
 inline std::string first_difference(const std::string& printed, const std::string& page) {
   const auto a = detail::words(printed), b = detail::words(page);
   for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
@@ -44,7 +43,7 @@ inline std::string first_difference(const std::string& printed, const std::strin
   return std::to_string(b.size()) + " words, printed are " + std::to_string(a.size());
 }
 
-/// A page whose tables stand between `<!-- table: NAME -->` and `<!-- end -->`.
+/// A page with tables between `<!-- table: NAME -->` and `<!-- end -->`.
 class page_of_tables {
  public:
   explicit page_of_tables(std::filesystem::path path) : path_(std::move(path)) {
@@ -53,18 +52,16 @@ class page_of_tables {
     if (!in) throw std::runtime_error("cannot read '" + path_.string() + "'");
   }
 
-  /// In what the table of this name differs from what was printed; empty if it agrees.
+  /// The first difference between this table and the printed one; empty if they agree.
   std::string difference(const std::string& name, const std::string& printed) const {
     return first_difference(printed, table(name));
   }
 
-  /// The table of this name.
   std::string table(const std::string& name) const {
     const auto [from, length] = place(name);
     return text_.substr(from, length);
   }
 
-  /// Puts what was printed in its place.
   void replace(const std::string& name, const std::string& printed) {
     const auto [from, length] = place(name);
     text_.replace(from, length, "\n" + printed + "\n");

@@ -1,12 +1,11 @@
-/// @file
-/// A text as one word of a shell.
+/// Quoting for a shell.
 #pragma once
 
 #include <string>
 
 namespace example {
 
-/// The text in single quotes: a POSIX shell takes it as it is, whatever stands in it.
+/// The text in single quotes, which a POSIX shell does not interpret.
 inline std::string in_shell_quotes(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {

@@ -1,6 +1,4 @@
-/// @file
-/// A bench without hardware: one brake, whose axis a motor turns, behind the counts, readings and currents of
-/// a real one.
+/// A simulated bench: one brake on an axis that a motor rotates, behind counts, readings and currents.
 #pragma once
 
 #include <passive_haptics/brake/models/brake_model.hpp>
@@ -18,7 +16,6 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// What the bench is made of.
 struct simulated_bench_parameters {
   double period = 1e-3;                             // of the loop [s]
   double time_step = 1e-4;                          // of the simulation [s]
@@ -27,8 +24,8 @@ struct simulated_bench_parameters {
   std::uint64_t seed = 1;                           // of that noise
 };
 
-/// The axis turns at rate(t) [rad/s], whatever the brake does; command_of(I) [N m] is the command of a
-/// current to the brake. Its clock goes on by a period with each wait().
+/// The axis rotates at rate(t) [rad/s], independent of the brake; command_of(I) [N m] is the brake's command
+/// for a current. Each wait() advances its clock by a period.
 template <ph::BrakeModel Model>
 class simulated_bench {
  public:
@@ -42,7 +39,7 @@ class simulated_bench {
         p_(p),
         bits_(ph::random_bits(p.seed, 0)) {}
 
-  /// Until the next period: the time then [s].
+  /// Waits for the next period; returns its time [s].
   double wait() {
     const auto steps = static_cast<int>(std::lround(p_.period / p_.time_step));
     for (int i = 0; i < steps; ++i) {
@@ -71,7 +68,7 @@ class simulated_bench {
   long ticks_ = 0;
 };
 
-/// The BrakePort to a bench, whose brake and encoder are the only ones.
+/// BrakePort of a bench with one brake and one encoder.
 template <class Model>
 struct simulated_bench_port {
   static constexpr int encoder_count = 1, brake_count = 1;

@@ -1,4 +1,3 @@
-/// @file
 /// Datagrams to and from one peer, without waiting.
 #pragma once
 
@@ -21,14 +20,13 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// A socket that hears this peer alone. Nothing but open() allocates, waits or looks up a name.
+/// A socket that only receives from this peer. Only open() allocates, waits or looks up a name.
 class udp_peer {
  public:
-  static constexpr ssize_t nothing =
-      -1;                                ///< No datagram, or the network complains of an earlier one of ours.
-  static constexpr ssize_t broken = -2;  ///< There is no socket, or none that works.
+  static constexpr ssize_t nothing = -1;  ///< No datagram, or an error of an earlier one.
+  static constexpr ssize_t broken = -2;   ///< No working socket.
 
-  /// Empty, or what is wrong. A peer that is not there is not noticed.
+  /// Returns an error or an empty string. A missing peer is not detected.
   std::string open(const std::string& host, int port) {
     close();
     addrinfo wanted{}, *found = nullptr;
@@ -54,8 +52,7 @@ class udp_peer {
     if (fd_.is_open() && ::send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) note(errno);
   }
 
-  /// The length of the next datagram as it was sent, of which as much as fits is stored; or `nothing`; or
-  /// `broken`.
+  /// Length of the next datagram as sent, stored as far as it fits; or `nothing`, or `broken`.
   ssize_t receive(std::span<std::uint8_t> to) noexcept {
     if (!fd_.is_open()) return broken;
     for (;;) {
@@ -66,20 +63,19 @@ class udp_peer {
     }
   }
 
-  /// Has the host said that nobody listens there, since the last call?
+  /// True if the host reported a closed port since the last call.
   bool refused() noexcept { return std::exchange(refused_, false); }
 
-  /// Waits until something has come, at most so long [s].
+  /// Waits for a datagram, at most `timeout` [s].
   void wait(double timeout) const noexcept { fd_.wait(timeout); }
 
-  /// Nothing if it is not open.
   void close() noexcept { fd_.close(); }
 
  private:
   file_descriptor fd_;
   bool refused_ = false;
 
-  // True for what passes by when the network or the peer comes back.
+  // True for temporary errors.
   bool note(int error) noexcept {
     if (error == ECONNREFUSED) refused_ = true;
     switch (error) {

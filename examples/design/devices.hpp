@@ -11,7 +11,7 @@
 
 namespace design {
 
-// The paper's device with a reduction k2, before its base
+// The paper's device with a reduction k2 before its base
 inline auto paper_device(double k2 = 0.4, int columns = 81, int rows = 41) {
   const ph::tendon_two_link<double> arm({.reduction_2 = k2});
   return candidate{arm, [arm](const plane& x) { return arm.inverse(x, ph::elbow::left); },
@@ -26,7 +26,7 @@ auto five_bar_device(int columns = 81, int rows = 41) {
                    ph::task_grid<double, 2>{{-0.06, 0.03}, {0.085, 0.125}, {columns, rows}}};
 }
 
-// Three brakes, where two are enough: the third link points away from the base
+// Three brakes for two dimensions: the third link points away from the base
 inline auto three_joint_arm(int columns = 81, int rows = 41) {
   constexpr double l1 = 0.15, l2 = 0.1, l3 = 0.05;  // [m]
   const ph::serial_chain<double, 3, 2> arm(ph::planar_arm<double, 3>({l1, l2, l3}));

@@ -8,8 +8,8 @@ namespace design {
 
 namespace {
 
-// One figure over the workspace, of a planar device with `joints` joints; figure: its place behind
-// `display` in a row of to_csv. Where `never` holds it has the last colour of the palette.
+// One figure of a planar device with `joints` joints over the workspace; figure: its column after `display`
+// in to_csv. Points with `never` true get the last colour of the palette.
 struct panel {
   std::string file, title;
   int joints, figure;
@@ -37,7 +37,7 @@ std::string is_never_held(int joints) {
   return condition.str();
 }
 
-// Grey stands behind the maps, so that it shows where there is no figure
+// The grey background marks points without figures
 std::string four_maps(const std::string& title) {
   return picture_of(1000, 660) + "set multiplot layout 2,2 title '" + title +
          "'\nunset key\nleast(a, b) = a < b ? a : b\nset size ratio -1\nset autoscale noextend\n"

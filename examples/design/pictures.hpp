@@ -12,14 +12,14 @@
 
 namespace design {
 
-// What every picture begins with: size in pixels, colours of a map with white for points without figures.
+// Start of each picture: size in pixels, colours of a map with white for points without figures.
 std::string picture_of(int width, int height);
 
-// Panels of one map: drag, strongest normal force, sink slope and isotropy. csv: what to_csv made of it.
+// Panels of one map: drag, maximum normal force, sink slope and isotropy. csv: text of to_csv.
 void draw_map(const std::filesystem::path& directory, const std::string& name, const std::string& title,
               const std::string& csv);
 
-// The sink slopes of several devices, each to its own scale. maps: a title and what to_csv made of it.
+// The sink slopes of several devices, each on its own scale. maps: a title and the text of to_csv.
 void draw_devices(const std::filesystem::path& directory, const std::string& name, const std::string& title,
                   const std::vector<std::pair<std::string, std::string>>& maps);
 

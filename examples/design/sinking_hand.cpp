@@ -17,14 +17,14 @@ namespace ph = passive_haptics;
 using device = ph::tendon_two_link<double>;
 using V = ph::vector<double, 2>;
 
-constexpr double torque_limit = 0.3;       // of each brake [N m]
+constexpr double torque_limit = 0.3;       // each brake [N m]
 constexpr double pushes[] = {1, 2, 4, 8};  // of the hand into the wall [N]
 const V out_of_wall(0, -1);                // the normal of the paper's wall
 constexpr int forth = 1, back = -1;        // along the wall, +x and -x
 
 const auto brakes = ph::hybrid_brakes<device>::with_limits({torque_limit, torque_limit});
 
-// The colour of a slope, on one scale for all pictures.
+// Colours of a slope, on one scale for all pictures.
 constexpr const char* slope_colours =
     "set palette defined (0 '#ffffff', 0.001 '#deebf7', 0.5 '#9ecae1', 1 '#4292c6', 2 '#08519c', 3 "
     "'#08306b')\n"

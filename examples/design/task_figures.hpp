@@ -19,14 +19,14 @@ using plane = ph::vector<double, 2>;
 // Brakes of 1 N m, and a hand that pushes into the wall
 inline constexpr double push = 2;  // [N]
 
-// A device, how its joints reach a point, and where it is used.
+// A device, its inverse, and its workspace.
 template <class M, class Inverse>
 struct candidate {
   M mechanism;
   Inverse inverse;
   ph::task_grid<double, 2> where;
 
-  // Its points while the handle moves in this direction along a wall on the left of its way
+  // Its points for this direction of motion along a wall on the left
   ph::task_points<M> points(const plane& along) const {
     return ph::points_of(mechanism, where, inverse, along, plane(along[1], -along[0]));
   }
@@ -34,13 +34,13 @@ struct candidate {
 template <class M, class Inverse>
 candidate(M, Inverse, ph::task_grid<double, 2>) -> candidate<M, Inverse>;
 
-// Shares and means over all points that are reached, in all directions.
+// Shares and means over all reached points, in all directions.
 struct task_figures {
   double exact = 0, approximate = 0, none = 0;  // shares [1]
-  double drag = 0;                              // the median of what is displayed [1]
+  double drag = 0;                              // median over displayed forces [1]
   double max_force = 0;                         // mean [N]
   double held = 0, sinking = 0, lost = 0;       // shares: slope 0, finite, infinite [1]
-  double sink_slope = 0;                        // the median of what sinks [1]
+  double sink_slope = 0;                        // median over sinking points [1]
   double isotropy = 0;                          // mean [1]
 };
 

@@ -1,4 +1,4 @@
-// How an arm is driven along its walls, for any arm.
+// Runs of any arm along walls.
 #pragma once
 
 #include "arms.hpp"
@@ -25,7 +25,7 @@ namespace experiments {
 inline constexpr double arm_torque_limit = 1;  // of all brakes [N m]
 inline constexpr double arm_push = 2;          // of the hand, 10 mm deep [N]
 
-// The wall beside the handle.
+// The wall at the handle.
 enum class arm_wall { plane, outside_of_disc, inside_of_disc };
 inline constexpr double small_radius = 0.1, large_radius = 0.3;  // of the discs [m]
 
@@ -36,16 +36,16 @@ struct arm_kind {
   arm_wall wall = arm_wall::plane;
 };
 
-// Where a hand starts, and goes.
+// Start and direction of a hand.
 template <class M>
 struct arm_start {
   ph::joint_vector<M> q;
   ph::task_vector<M> normal, direction;
 };
 
-// Wall number k of an arm: a random pose that is not near a singular one, a random normal and direction. With
-// fewer brakes than joints, one at which a force within 53 degrees of the normal is displayed, of 4 N at
-// least.
+// Wall number k of an arm: a random pose that is not nearly singular, a random normal and direction. With
+// fewer brakes than joints, one at which a force of at least 4 N within 53 degrees of the normal is
+// displayed.
 template <class M>
 arm_start<M> draw_start(const M& arm, std::size_t k) {
   constexpr std::uint64_t seed = 20040627;
@@ -83,7 +83,7 @@ arm_start<M> draw_start(const M& arm, std::size_t k) {
 
 struct arm_result {
   ph::contact_metrics figures;
-  double weak = 0;  // share of the way on which no set of brakes displays what the hand pushes with
+  double weak = 0;  // share of the path on which no set of brakes displays the push
 
   bool glides() const {
     return figures.touched && !figures.separates() && !figures.is_deep() && figures.arrived;
@@ -107,13 +107,13 @@ auto wall_before(const ph::point<D>& x, const ph::point<D>& n, arm_wall which) {
   }
 }
 
-// A controller of such brakes before this wall.
+// A controller with these brakes in front of this wall.
 template <class M>
 using arm_wall_of = decltype(wall_before<M::task_dimension>({}, {}, arm_wall::plane));
 template <class M>
 using arm_control = std::function<any_control<M>(const ph::brakes_of<M>&, const arm_wall_of<M>&)>;
 
-// One hand.
+// Runs one hand.
 template <class M>
 arm_result follow_arm(const arm_kind<M>& kind, const arm_control<M>& control_of, const arm_start<M>& start,
                       double lag, arm_encoders encoders) {
@@ -211,7 +211,7 @@ arm_row follow_row(const arm_kind<M>& kind, const std::string& law_name, const L
   return row;
 }
 
-// All laws; the sample has the recommended one.
+// All laws; the sample uses the recommended one.
 template <class M>
 void add_rows(std::vector<arm_row>& rows, const arm_kind<M>& kind) {
   const auto add = [&](const std::string& law_name, const auto& law) {

@@ -11,7 +11,7 @@ namespace experiments {
 
 namespace {
 
-// "a / b / c" of the settings from `first` on; "-" where one was not measured.
+// "a / b / c" of the settings from `first`; "-" for one that was not measured.
 std::string of_settings(const arm_row& row, std::size_t first, std::size_t count, auto&& text) {
   std::string all;
   for (std::size_t i = first; i < first + count; ++i) {
@@ -25,14 +25,14 @@ std::string of_encoders(const arm_row& row, auto&& text) {
   return of_settings(row, 1, 1, text) + " / " + of_settings(row, 1 + arm_lags.size(), 1, text);
 }
 
-// A line of the table up to its numbers: arm, law.
+// The start of a table line: arm and law.
 std::string key_of(const std::string& line) {
   std::size_t at = 0;
   for (int bars = 0; bars < 3 && at != std::string::npos; ++bars) at = line.find('|', at) + 1;
   return line.substr(0, at);
 }
 
-// A line in which what was not measured is that of another line.
+// A line with missing values from another line.
 std::string filled(const std::string& line, const std::string& other) {
   const std::string key = key_of(line);
   std::istringstream words(line.substr(key.size())), others(other.substr(key_of(other).size()));
@@ -54,7 +54,7 @@ std::string line_of(const arm_row& row) {
        of_settings(row, 1, 1, [](const arm_cell& c) { return written("%d", c.too_weak); })});
 }
 
-// The largest power that a brake gave to its device in a time step of these runs [W].
+// Maximum power of a brake on its device in a time step of these runs [W].
 double max_power(const std::vector<arm_row>& rows) {
   double largest = 0;
   for (const arm_row& row : rows)
@@ -69,7 +69,7 @@ std::string arm_head() {
                         "median deviation at 20 ms [mm]: exact / counts", "brakes too weak, exact, 20 ms"});
 }
 
-// A table with these rows in place of its own; what was not measured stays as it was.
+// A table with these rows replaced; values that were not measured are kept.
 std::string with_rows(const std::string& table, const std::vector<arm_row>& rows) {
   std::istringstream lines(table);
   std::string all, line;

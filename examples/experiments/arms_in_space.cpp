@@ -1,4 +1,4 @@
-// An arm of four joints in space: yaw, shoulder, elbow and wrist.
+// A spatial arm of four joints: yaw, shoulder, elbow and wrist.
 #include "arm_run.hpp"
 
 namespace experiments {

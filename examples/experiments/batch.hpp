@@ -1,4 +1,4 @@
-// Many runs on all cores: their results as they come, and how long the rest will take.
+// Many runs on all cores, with their results in order and the remaining time.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace experiments {
 
-// "name [#####     ] 50 %, all: about 2 min" on a terminal's last line; nothing where stderr is no terminal.
+// "name [#####     ] 50 %, all: about 2 min" on a terminal's last line; nothing if stderr is not a terminal.
 class progress_bar {
  public:
   progress_bar(std::string name, std::size_t total) : name_(std::move(name)), total_(total) {}
@@ -29,7 +29,7 @@ class progress_bar {
     ++done_of_all_;
     draw();
   }
-  // For a line of output in its place.
+  // Makes room for a line of output.
   void erase() const {
     if (on_terminal_) std::fprintf(stderr, "\r%*s\r", width + 72, "");
   }
@@ -40,7 +40,7 @@ class progress_bar {
                  rest_of_all().c_str());
   }
 
-  // How many runs the whole program makes.
+  // Number of runs of the whole program.
   static void plan(std::size_t runs) {
     all_ = runs;
     start_ = clock::now();
@@ -67,8 +67,8 @@ class progress_bar {
   bool on_terminal_ = isatty(STDERR_FILENO) != 0;
 };
 
-// job(0), ..., job(count - 1) on all cores; their results in that order, each given to show(k, result) as
-// soon as all before it are there. The first exception of a job is thrown here.
+// Runs job(0), ..., job(count - 1) on all cores. Results are in that order; show(k, result) is called as soon
+// as all earlier ones exist. Throws the first exception of a job.
 template <class Job, class Show>
 auto on_all_cores(const std::string& name, std::size_t count, Job&& job, Show&& show) {
   std::vector<decltype(job(std::size_t{0}))> results(count);
@@ -108,7 +108,7 @@ auto on_all_cores(const std::string& name, std::size_t count, Job&& job, Show&& 
   return results;
 }
 
-// Runs all jobs and shows nothing.
+// Runs all jobs without output.
 template <class Job>
 auto on_all_cores(const std::string& name, std::size_t count, Job&& job) {
   return on_all_cores(name, count, job, [](std::size_t, const auto&) {});

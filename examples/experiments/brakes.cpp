@@ -31,13 +31,13 @@ using some_brake =
                   inverted<eddy_current>, ph::delayed_brake<coulomb>>;
 using known_brakes = ph::rate_limited_brakes<arm, some_brake>;
 
-// A brake, and what its controller knows of it.
+// A brake, and its parameters in the controller.
 struct brake_case {
   std::string name;
   some_brake real;
   double lag = 0.020;                                          // known [s]
   double limit = 1;                                            // known [N m],
-  some_brake limit_at = coulomb{.torque_limit = 1000};         // and that of the moment
+  some_brake limit_at = coulomb{.torque_limit = 1000};         // known limit at the current rate
   double push = ph::following_hand_parameters<double>().push;  // of the hand [N]
 };
 

@@ -9,7 +9,7 @@ namespace experiments {
 
 namespace ph = passive_haptics;
 
-// A controller of any law, or none: a run is compiled once for all of them.
+// A controller of any law, or none; runs are compiled once for all of them.
 template <class M>
 using any_control = std::function<ph::step_result<M>(const ph::device_state<M>&)>;
 

@@ -1,4 +1,4 @@
-// Corners of half-spaces, and what else may be near a wall, drawn at random in a device's workspace.
+// Corners of half-spaces and other obstacles near a wall, drawn randomly in a device's workspace.
 #pragma once
 
 #include "plants.hpp"
@@ -20,15 +20,15 @@
 
 namespace experiments {
 
-inline constexpr double corner_push = 2;    // of the hand, also when it pulls out [N]
+inline constexpr double corner_push = 2;    // of the hand, also for pulling out [N]
 inline constexpr double corner_gap = 1e-3;  // between hand and wall at the start [m]
 
-// A device and the part of its workspace in which corners are drawn.
+// A device and the part of its workspace for corners.
 template <class M>
 struct corner_device {
   std::string name;
   M mechanism;
-  ph::workspace<M> where;  // path_length: of a hand's way to the corner
+  ph::workspace<M> where;  // path_length: of a hand to the corner
   ph::brakes_of<M> brakes = {};
   double count = 2 * std::numbers::pi / 8192;  // of the encoders [rad or m]
 };
@@ -41,17 +41,17 @@ struct obstacle {
   int walls = 2;                           // of a corner
 };
 
-// The walls and the hand's way: along walls[0] to the apex, then a push between the normals, or past the
-// apex.
+// The walls and the path of the hand: along walls[0] to the apex, then a push between the normals, or past
+// the apex.
 template <class M>
 struct corner {
   static constexpr int D = M::task_dimension;
   using V = ph::vector<double, D>;
-  std::vector<ph::half_space<D>> walls;           // three, of which those that are not there are 10 m away
-  std::optional<ph::convex_polytope<D, 2>> edge;  // of both walls, which it replaces
+  std::vector<ph::half_space<D>> walls;           // three; unused ones are 10 m away
+  std::optional<ph::convex_polytope<D, 2>> edge;  // replaces both walls
   V apex, start, direction, push;                 // [m], [m], unit, unit
-  int count = 0;                                  // walls that are there
-  bool passes = false;                            // the hand goes on along walls[0]
+  int count = 0;                                  // number of walls
+  bool passes = false;                            // the hand continues along walls[0]
   ph::joint_vector<M> q;                          // at the start
   double need = 0;                                // share of the torque limits that locked brakes need [1]
 
@@ -61,7 +61,7 @@ struct corner {
   V normal(std::size_t j, const V& x) const {
     return j == 0 && edge ? V(edge->gradient(x)) : V(walls[j].gradient(x));
   }
-  // With one of its walls only.
+  // The same corner with only one wall.
   corner only(std::size_t j) const {
     corner one = *this;
     for (std::size_t i = 0; i < walls.size(); ++i)
@@ -72,9 +72,9 @@ struct corner {
   static ph::half_space<D> far_from(const V& x, const V& n) { return {x - 10 * n, n}; }
 };
 
-// The smallest share of the torque limits with which locked brakes hold a force at the handle: the force
-// moves nothing if no virtual rate takes more power from it than the brakes dissipate. The worst rate moves
-// as few brakes as possible.
+// Minimum share of the torque limits with which locked brakes hold a force at the handle: for no virtual
+// motion does the force deliver more power than the brakes dissipate. The critical motion moves as few brakes
+// as possible.
 template <class M>
 double needed_share(const M& mechanism, const ph::brake_vector<M>& limits, const ph::joint_vector<M>& q,
                     const ph::task_vector<M>& force) {
@@ -96,7 +96,7 @@ double needed_share(const M& mechanism, const ph::brake_vector<M>& limits, const
   return share;
 }
 
-// Moves q to where the handle is at x; false out of reach or near a singular pose. reach() for any dof.
+// Moves q until the handle is at x; false if out of reach or near a singular pose. reach() for any dof.
 template <class M>
 bool move_to(const corner_device<M>& device, const ph::task_vector<M>& x, ph::joint_vector<M>& q) {
   constexpr int d = M::task_dimension;
@@ -112,8 +112,8 @@ bool move_to(const corner_device<M>& device, const ph::task_vector<M>& x, ph::jo
   return false;
 }
 
-// Number k of a seed: within reach up to 5 mm inside the walls, and such that locked brakes hold the push
-// with a tenth to spare.
+// Number k of a seed: within reach up to 5 mm inside the walls, with locked brakes that hold the push with a
+// tenth to spare.
 template <class M>
 corner<M> draw_corner(const corner_device<M>& device, const obstacle& o, std::uint64_t seed, std::size_t k) {
   constexpr int d = M::task_dimension;
@@ -133,7 +133,7 @@ corner<M> draw_corner(const corner_device<M>& device, const obstacle& o, std::ui
     const V n = any_direction(), u = any_direction(), side = (u - n * n.dot(u)).normalized();
     const double turn = ph::radians(180 - between(o.min_angle, o.max_angle));
     std::vector<V> normals{n};
-    V away = side;  // from the apex, where the hand begins
+    V away = side;  // from the apex towards the start
     c.passes = o.what != meeting_walls;
     c.direction = -side;
     if (o.what == opposite_wall || o.what == wall_below) normals.push_back(o.what == wall_below ? n : V(-n));

@@ -11,7 +11,7 @@
 
 namespace experiments {
 
-// Edges: whether corners may be convex edges, which are another scene, so another controller to compile.
+// Edges: includes convex edges, which need another scene type, hence another controller type.
 template <bool Edges = false, class M, class Control>
 control_maker<M> maker(const M& mechanism, const Control& control_of) {
   return [=](const corner<M>& c, const ph::brakes_of<M>& brakes) -> typename closed_loop<M>::capacities {
@@ -62,8 +62,7 @@ struct corner_tables {
   number_range which;
   std::string by_law = {};
   std::vector<std::string> devices = {};
-  std::vector<std::vector<std::string>> corners = {},
-                                        others = {};  // variations, each with a cell for each device
+  std::vector<std::vector<std::string>> corners = {}, others = {};  // variations, each with a cell per device
 };
 
 template <class M>
@@ -130,7 +129,7 @@ class corner_columns {
   }
 
  private:
-  static constexpr double share = 0.5;  // of the corners, in variations
+  static constexpr double share = 0.5;  // of the corners, for variations
   corner_row follow(const obstacle& what, const corner_hand& hand, const control_maker<M>& make,
                     double part) {
     const std::uint64_t first = tables_.which.first, all = tables_.which.last - first + 1;
@@ -145,7 +144,7 @@ class corner_columns {
   int walls_;
 };
 
-// Under every law that any device can have, then the variations under the recommended one.
+// Every law that any device can use, then the variations under the recommended one.
 template <class M>
 void add_device(corner_tables& tables, const corner_device<M>& device, int walls = 2) {
   corner_columns<M> columns(tables, device, walls);
@@ -159,7 +158,7 @@ void add_device(corner_tables& tables, const corner_device<M>& device, int walls
   if (walls == 2) columns.add_variations(recommended);
 }
 
-// By files, which are compiled side by side.
+// In separate files, compiled in parallel.
 void add_planar_devices(corner_tables& tables);
 void add_other_devices(corner_tables& tables);
 

@@ -1,4 +1,4 @@
-// A hand in a corner, in closed loop: how deep it gets into the walls, and whether it gets out.
+// A hand in a corner, in closed loop: depths in the walls, and pulling out.
 #pragma once
 
 #include "corner.hpp"
@@ -8,10 +8,10 @@
 
 namespace experiments {
 
-// A hand and a device that a run varies.
+// Variations of hand and device.
 struct corner_hand {
-  double rise = 0;      // of the push, up to 21 N and to what nine tenths of the limits hold [N/s]
-  double strength = 0;  // torque limits for those that locked brakes need [1]; 0: the device's own
+  double rise = 0;      // of the push, up to 21 N and nine tenths of the limits [N/s]
+  double strength = 0;  // torque limits relative to those that locked brakes need [1]; 0: the device's own
   double gain = 1;      // of the force sensor [1]
   bool pulls_out = false;
 };
@@ -20,19 +20,19 @@ struct corner_hand {
 struct corner_result {
   bool arrived = false;  // touched a second wall, or passed
   double first = 0,
-         first_alone = 0;  // largest depth in the first wall until then, and without the others [m]
+         first_alone = 0;  // maximum depth in the first wall until then, and without the others [m]
   double max_depth = 0, max_locked_depth = 0;  // in any wall; with brakes locked from the touch on [m]
   bool held = false;                           // locked brakes hold
-  bool sinks = false, left = false;            // under the law; a wall that was touched is left
+  bool sinks = false, left = false;            // under the law; a touched wall is left
   int separations = 0;
-  // Ways in which it pulls; of these as soon, and as light, as out of one wall or of brakes that are released
+  // Directions of pulling; number of these as fast, and as light, as from one wall or with released brakes
   int pulls = 0, in_time = 0, no_heavier = 0;
 };
 
-// Device, sensors and control; a copy goes on from the same moment.
+// Device, sensors and control; a copy continues from the same state.
 template <class M>
 struct closed_loop {
-  static constexpr double time_step = 1e-4;  // [s]; ten to a cycle
+  static constexpr double time_step = 1e-4;  // [s]; ten per cycle
   using capacities = std::function<ph::brake_vector<M>(const ph::device_state<M>&)>;
   capacities control;
   ph::simulated_device<M> plant;
@@ -88,16 +88,16 @@ class corner_run {
 
  private:
   static constexpr double max_time = 4, pushing = 3;  // [s]
-  static constexpr double damping = 20;               // of a hand that pushes or pulls [N s/m]
+  static constexpr double damping = 20;               // of a pushing or pulling hand [N s/m]
   struct moment {
     closed_loop<M> loop;
     V force = V::Zero();
     std::vector<ph::contact_meter> meters = std::vector(3, ph::contact_meter(1, closed_loop<M>::time_step));
     ph::vector<double, 3> depth = ph::vector<double, 3>::Zero(), max_depth = depth;  // in each wall [m]
-    bool left = false;  // a wall that was touched
+    bool left = false;                                                               // a touched wall
   };
   struct way_out {
-    double wait = 1;  // until the handle has moved by 0.5 mm [s]
+    double wait = 1;  // time to move the handle by 0.5 mm [s]
     double felt = 0;  // mean force against the hand in the first 0.1 s [N]
   };
 
@@ -127,7 +127,7 @@ class corner_run {
     const V x = now.loop.plant.position();
     advance(c, now, hand.force(now.loop.time(), x, now.loop.plant.velocity(), c.normal(0, x), c.depth(0, x)));
   }
-  // The largest depth in the face behind an edge, without the other one [m].
+  // Maximum depth in the face behind an edge, without the other face [m].
   double behind_edge() const {
     corner<M> second = corner_.only(1);
     std::swap(second.walls[0], second.walls[1]);
@@ -138,7 +138,7 @@ class corner_run {
     while (now.loop.time() < max_time && !has_arrived(now)) glide(second, now);
     return now.max_depth[0];
   }
-  // Between the normals, until a time after the touch.
+  // Pushes between the normals until a time after the touch.
   void push(moment& now, const moment& touch, double until) const {
     for (double t = 0; (t = now.loop.time() - touch.loop.time()) < until - 1e-9;) {
       const double share = std::min(1.0, t / 0.1);
@@ -149,7 +149,7 @@ class corner_run {
     }
   }
   void stay(moment& now, corner_result& r) const {
-    // A push that rises may cost depth at any time
+    // A rising push may increase the depth at any time
     const double from = hand_.rise > 0 ? 0.2 : pushing - 1,
                  growth = hand_.rise > 0 ? 0.5e-3 : 0.2e-3;  // [s], [m]
     const moment touch = now;
@@ -165,7 +165,7 @@ class corner_run {
       one.left = false;
       const ph::vector<double, 3> depth = one.depth;
       push(one, touch, pushing);
-      return (one.depth.cwiseMax(0.0) - depth.cwiseMax(0.0)).maxCoeff();  // of a wall that is touched
+      return (one.depth.cwiseMax(0.0) - depth.cwiseMax(0.0)).maxCoeff();  // of touched walls
     };
     r.held = grows_by(locked) < 0.05 * growth;
     r.sinks = grows_by(now) > growth;
@@ -173,7 +173,7 @@ class corner_run {
     r.max_depth = now.max_depth.maxCoeff();
     r.max_locked_depth = locked.max_depth.maxCoeff();
   }
-  // Along the bisector and along each wall, away from the others.
+  // Pulls along the bisector and along each wall, away from the others.
   void pull_out(const moment& now, corner_result& r) const {
     V bisector = V::Zero();
     std::vector<V> ways{bisector};
@@ -183,7 +183,7 @@ class corner_run {
       const V n = corner_.walls[std::size_t(j)].gradient(corner_.apex);
       ways.push_back((bisector - n * n.dot(bisector)).normalized());
     }
-    closed_loop<M> released = now.loop;  // no law is faster
+    closed_loop<M> released = now.loop;  // the fastest possible
     released.control = [](const auto&) { return ph::brake_vector<M>(ph::brake_vector<M>::Zero()); };
     std::vector<way_out> at_most;
     for (const V& way : ways) at_most.push_back(pull(released, way));
@@ -201,7 +201,7 @@ class corner_run {
       r.no_heavier += out.felt <= at_most[k].felt + 0.05 * corner_push;
     }
   }
-  // A second of pushing straight into one wall.
+  // Pushes straight into one wall for a second.
   moment at_wall(std::size_t j) const {
     const corner<M> one = corner_.only(j);
     const V n = one.normal(j, one.apex);

@@ -1,4 +1,4 @@
-// Corners of two and three planes, and what else may be near a wall, in a hand's closed loop under every law.
+// Corners of two and three planes, and other obstacles near a wall, in a hand's closed loop under every law.
 #pragma once
 
 #include "markdown.hpp"
@@ -9,7 +9,7 @@ namespace experiments {
 inline constexpr std::uint64_t corner_seed = 59;
 inline constexpr number_range default_corners{0, 59};
 
-// Three tables of docs/results.md from the corners of these numbers; each row is printed as it comes.
+// Three tables of docs/results.md for corners with these numbers; rows are printed as they are computed.
 page_tables follow_corners(const number_range& which);
 
 }  // namespace experiments

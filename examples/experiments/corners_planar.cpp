@@ -1,4 +1,4 @@
-// Two brakes in the plane.
+// Planar devices with two brakes.
 #include "corner_rows.hpp"
 
 namespace experiments {
@@ -13,7 +13,7 @@ void add_planar_devices(corner_tables& tables) {
   corner_device<xy_table> table{"XY table", xy_table(), {{-0.1, -0.1}, {0.1, 0.1}, 0.025}};
   table.brakes.torque_limit.setConstant(10);      // [N]
   table.brakes.rate_dead_band.setConstant(2e-3);  // [m/s]
-  table.count *= 0.1;                             // of 0.1 m a radian
+  table.count *= 0.1;                             // 0.1 m per radian
   add_device(tables, table);
 }
 

@@ -1,4 +1,4 @@
-// A hand that pushes against an effect, alone or along a wall, and then wants back.
+// A hand that pushes against an effect, with or without a wall, and then returns.
 #pragma once
 
 #include "any_effects.hpp"
@@ -6,7 +6,7 @@
 
 namespace experiments {
 
-// An effect or a wall effect by a type that is the same for all.
+// A type-erased effect or wall effect.
 template <class E>
 struct one_effect final : any_effect<E::dimension> {
   using base = any_effect<E::dimension>;
@@ -29,7 +29,7 @@ struct one_joint_effect final : any_joint_effect<N> {
   ph::end_stops<double, N> effect;
 };
 
-// With the effects' part in its result, which a sensorless_controller probes.
+// Adds the effects' part to the result, for a sensorless_controller.
 template <int D, int N>
 struct scene_of_effects : scene_with_effects<D, N> {
   using base = scene_with_effects<D, N>;
@@ -79,8 +79,8 @@ std::vector<effect_row<M>> all_effects() {
   return all;
 }
 
-// Hand number k pushes with 2 N for a second, at a wall also with 2 N into it, and then wants back: at a wall
-// out of it, too.
+// Hand number k pushes with 2 N for a second, at a wall also with 2 N into it, and then returns, at a wall
+// also outwards.
 template <class M, class Sensor>
 effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>& effect,
                              const Sensor& control_of, bool has_wall, std::size_t k) {

@@ -1,5 +1,5 @@
-// What a stiff hand feels of a force that the brakes of an arm display: at a constant velocity of the handle,
-// under constant capacities, after the self-motion had time to settle.
+// Forces of an arm's brakes as felt by a stiff hand: at a constant velocity of the handle, under constant
+// capacities, after the self-motion has settled.
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
@@ -20,20 +20,20 @@ namespace experiments {
 
 namespace ph = passive_haptics;
 
-// An arm whose handle moves with v against a force along n.
+// An arm with a handle velocity v against a force along n.
 template <class M>
 struct felt_state {
-  ph::joint_vector<M> q, qd;  // qd = M^-1 J^T Lambda v: of a handle that is pulled along
+  ph::joint_vector<M> q, qd;  // qd = M^-1 J^T Lambda v, for a handle that is pulled
   ph::task_vector<M> v, n;
 };
 
-// Of J, from J J^T.
+// Minimum singular value of J, from J J^T.
 inline double min_singular_value_of(const ph::matrix<double, 2, 2>& squared) {
   const double mean = squared.trace() / 2;
   return std::sqrt(mean - std::sqrt(std::max(0.0, mean * mean - squared.determinant())));
 }
 
-// State number k of a seed: a random pose that is not near a singular one, 0.05 m/s against n.
+// State number k of a seed: a random pose that is not nearly singular, 0.05 m/s against n.
 template <class M>
 felt_state<M> draw_felt_state(const M& arm, std::uint64_t seed, std::size_t k) {
   constexpr int n = M::dof, d = M::task_dimension;
@@ -62,7 +62,7 @@ felt_state<M> draw_felt_state(const M& arm, std::uint64_t seed, std::size_t k) {
   }
 }
 
-// Fc of 1 N along n and its torques; none if cos(gamma) is 0.3 or less.
+// Fc of 1 N along n and its torques; empty if cos(gamma) is 0.3 or less.
 template <class M>
 auto force_for(const M& arm, const felt_state<M>& state, const ph::brakes_of<M>& brakes) {
   constexpr double min_cosine = 0.3;
@@ -71,22 +71,22 @@ auto force_for(const M& arm, const felt_state<M>& state, const ph::brakes_of<M>&
   return ph::settled_forces(rates, E, brakes, state.v).nearest(state.n, min_cosine);
 }
 
-// What the hand feels, and the rates of the brakes when the averaging begins.
+// The felt force, and the brake rates at the start of averaging.
 template <class M>
 struct felt {
   double force = 0;           // mean along n [N]
   ph::brake_vector<M> rates;  // [rad/s]
 };
 
-// How long the capacities stay, and from when on the force is averaged [s].
+// Duration of the capacities, and start of averaging [s].
 inline constexpr double felt_until = 0.100, felt_from = 0.050;
 
-// A hand of a tonne moves the handle with v: 1 N slows it by 0.1 mm/s in 100 ms.
+// A hand of 1000 kg moves the handle with v: 1 N slows it by 0.1 mm/s in 100 ms.
 template <class M>
 felt<M> feel_once(const M& arm, const felt_state<M>& state, const ph::brake_vector<M>& capacity) {
   constexpr double hand_mass = 1000, time_step = 1e-4;  // [kg], [s]
   ph::brakes_of<M> brakes;
-  brakes.torque_limit.setConstant(1e3);  // [N m], far above any capacity
+  brakes.torque_limit.setConstant(1e3);  // far above any capacity
   brakes.time_constant.setZero();
   ph::simulated_device<M> plant(arm, brakes, hand_mass, state.q);
   plant.set_motion(state.q, state.qd);
@@ -100,13 +100,13 @@ felt<M> feel_once(const M& arm, const felt_state<M>& state, const ph::brake_vect
   return result;
 }
 
-// Of many states: what 1 N along n feels like. The others, which are not within 10 % of it, by their cause,
-// the first of these that holds.
+// Felt force of 1 N along n over many states. States not within 10 % of it are classified by the first cause
+// that applies.
 struct felt_row {
   std::size_t states = 0, displayed = 0, within = 0;
   double median = 0;  // [N]
-  // The others, where: a moving brake is in its dead band, so that its sign is not known;
-  // a brake that should have come to rest has not, after 50 ms; the pose has changed under constant torques.
+  // Other states: a moving brake is in its dead band, so its sign is unknown; a brake that should have come
+  // to rest still moves after 50 ms; the pose has changed under constant torques.
   std::size_t unknown_sign = 0, not_at_rest = 0, pose = 0;
 
   double displayed_share() const { return static_cast<double>(displayed) / static_cast<double>(states); }
@@ -115,7 +115,7 @@ struct felt_row {
   }
 };
 
-// feel(state, capacity) returns what the hand feels.
+// feel(state, capacity) returns the felt force.
 template <class M, class Feel>
 felt_row feel_with(const M& arm, std::size_t states, const Feel& feel) {
   constexpr std::uint64_t seed = 20040627;

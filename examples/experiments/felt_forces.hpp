@@ -1,4 +1,4 @@
-// What a stiff hand feels of the forces of arms with self-motion.
+// Forces of arms with self-motion as felt by a stiff hand.
 #pragma once
 
 #include "felt_force.hpp"
@@ -7,10 +7,10 @@
 
 namespace experiments {
 
-// Of three arms, as a table of Markdown.
+// Markdown table for three arms.
 std::string felt_forces();
 
-// Each beside the runs of its arm, with which it shares most of what the compiler does.
+// Each in the file of its arm's runs, with which it shares most of the compilation.
 felt_row feel_3r(std::size_t states);
 felt_row feel_two_brakes(std::size_t states);
 felt_row feel_4r(std::size_t states);

@@ -1,5 +1,5 @@
-// The laws that the experiments compare. A new one of the library is a line of the table below; the tables of
-// scenes read examples/catalogue/laws.hpp.
+// The laws of the experiments. A new law of the library is one line in the table below; the tables of scenes
+// use examples/catalogue/laws.hpp.
 #pragma once
 
 #include "rivals/bang_bang_control.hpp"
@@ -20,25 +20,25 @@ namespace experiments {
 
 namespace ph = passive_haptics;
 
-// By their rows in the table.
+// Rows of the table.
 enum class law {
   none,
   direct,            // as printed
-  saturated,         // direct, but alpha scales what the brakes can make
-  direct_dead_band,  // nulling already from n . v > -v_dead
+  saturated,         // direct, with alpha applied after the torque limit
+  direct_dead_band,  // nulls from n . v > -v_dead on
   coercive,
   single_degree_of_freedom,
   velocity_ratio,
   on_off,
   bang_bang,
-  velocity_on_touch,  // walls seen when they are touched
-  velocity,           // walls seen beforehand
+  velocity_on_touch,  // walls seen at the touch
+  velocity,           // walls seen before the touch
 };
 
 template <class Make>
 struct compared_law {
   const char* name;
-  const char* colour;  // one that the colour-blind can distinguish (Okabe and Ito 2008), in every picture
+  const char* colour;  // colour-blind safe (Okabe and Ito 2008), in every picture
   Make make;
 };
 template <class Make>
@@ -73,13 +73,13 @@ constexpr std::string_view name_of(law which) {
                     compared_laws)[static_cast<std::size_t>(which)];
 }
 
-// f(name, law) for each of these.
+// Calls f(name, law) for each of these.
 template <law... Which, class F>
 void for_laws(F&& f) {
   (f(std::string(name_of(Which)), std::get<static_cast<std::size_t>(Which)>(compared_laws).make()), ...);
 }
 
-// f(law) for a law that is known at run time.
+// Calls f(law) for a law chosen at run time.
 template <class F>
 auto with_law(law which, F&& f) {
   std::optional<decltype(f(std::get<0>(compared_laws).make()))> made;

@@ -9,7 +9,7 @@
 
 namespace experiments {
 
-// The page's tables by name.
+// Tables of the page by name.
 using page_tables = std::map<std::string, std::string>;
 
 // As printf.

@@ -23,7 +23,7 @@ struct cell {
 
 test_wall unslanted_wall() { return planar_wall(); }
 
-// The settings of one plant, in the order of their experiments.
+// The settings of one plant in order.
 std::vector<cell> cells() {
   std::vector<cell> all;
   for (const auto& [name, shape] : {std::pair{"planar", &unslanted_wall}, std::pair{"concave", &concave_wall},
@@ -51,13 +51,13 @@ std::string text_of(number_range which) {
              : "experiments " + std::to_string(which.first) + " to " + std::to_string(which.last);
 }
 
-// A line of a part, and the file where it stands.
+// A line of a part and its file.
 struct placed_line {
   std::string_view text;
   const part_file* file;
 };
 
-// Its number, of a whole line.
+// Number of a complete line.
 std::uint64_t number_of(const placed_line& line, std::size_t place) {
   static const auto columns = std::ranges::count(numbered_head(), ',');
   std::size_t digits = line.text.find_first_not_of("0123456789");

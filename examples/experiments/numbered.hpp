@@ -1,5 +1,4 @@
-// Experiments by number, as many as you like: parts of them run on several machines and are merged
-// afterwards.
+// Numbered experiments, which can be split over several machines and merged.
 #pragma once
 
 #include <cstddef>
@@ -9,30 +8,30 @@
 
 namespace experiments {
 
-// Numbers of experiments; both ends count. Number k is random plant k / 18 (plants.hpp) along one of three
-// walls, with an environment at 1 kHz or 20 Hz, under one of three laws.
+// Numbers of experiments, inclusive. Number k is random plant k / 18 (plants.hpp) along one of three walls,
+// with an environment at 1 kHz or 20 Hz, under one of three laws.
 struct number_range {
   std::uint64_t first, last;
 };
 
 inline constexpr std::uint64_t max_of_a_part = 1'000'000;  // their results are kept in memory
 
-// What is wrong with a range; empty if nothing.
+// Error text of a range, empty if there is none.
 std::string range_error(number_range which);
 
-// The file of a part: experiments_0_99.csv.
+// File name of a part: experiments_0_99.csv.
 std::string file_name(number_range which);
 
-// Runs them on all processors; a head and a line for each, in the order of their numbers.
+// Runs them on all processors; returns a header and one line each, in order.
 std::string run_by_number(number_range which);
 
-// A file that run_by_number filled.
+// A file of run_by_number.
 struct part_file {
   std::string name, content;
 };
 
-// What run_by_number returns for the whole range, from files that hold each of its experiments once, in any
-// order. Throws std::invalid_argument, whose message names the file or the experiments, where they do not.
+// The result of run_by_number for the whole range, from files with each experiment once, in any order. Throws
+// std::invalid_argument with the file or the experiments for other files.
 std::string merged(const std::vector<part_file>& parts, number_range which);
 
 }  // namespace experiments

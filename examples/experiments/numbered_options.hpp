@@ -16,10 +16,10 @@ class numbered_options {
  public:
   void add_to(example::command_line& line);
   bool are_given() const { return first_ || last_ || !parts_.empty(); }
-  // Runs the experiments, or merges files of them, and leaves one file in this folder. Throws
+  // Runs the experiments, or merges their files, into one file in this directory. Throws
   // std::invalid_argument.
   void carry_out(const std::filesystem::path& directory) const;
-  // Throws std::invalid_argument where it is not given, or not whole.
+  // Throws std::invalid_argument for a missing or incomplete range.
   number_range range() const;
 
  private:

@@ -1,5 +1,5 @@
-// Figs. 8 to 10 under two readings of section 4: does alpha scale a command that is cut to what the brakes
-// can make, or is it cut after? Hands that yield, brakes just strong enough for them.
+// Figs. 8 to 10 under two readings of section 4: alpha is applied after or before the torque limit. Compliant
+// hands, with brakes just strong enough for them.
 #pragma once
 
 #include "planar.hpp"
@@ -16,19 +16,19 @@ struct reading_cell {
   std::string wall;
   double rate;  // of the environment [Hz]
   law which;
-  std::vector<ph::contact_metrics> figures;  // one a hand
-  int reproduced;  // hands that show what the paper reports, beside no_direct_control
+  std::vector<ph::contact_metrics> figures;  // one per hand
+  int reproduced;  // hands that reproduce the paper, compared with no_direct_control
 };
 
-// What the paper reports of a hand: without the law 3 separations or more, with it at most 1; the depth and
-// the hand's force vary less, brake 2 sticks less, less force retards the hand.
+// The paper's observations for a hand: 3 or more separations without the law, at most 1 with it; less
+// variation of depth and hand force, less sticking of brake 2, less retarding force.
 bool reproduces(const ph::contact_metrics& without, const ph::contact_metrics& with);
 
-// The planar wall, the concave and the convex one, each at 1 kHz and at 20 Hz, under each of these laws; of
-// bands_only the planar one, under the laws that need nothing of the device.
+// The planar, concave and convex wall at 1 kHz and 20 Hz, under each of these laws; bands_only: the planar
+// wall, under laws without device parameters.
 std::vector<reading_cell> read_the_paper(std::uint64_t seed, double time_step, bool bands_only = false);
 
-// Medians over the hands, as a table of Markdown.
+// Markdown table of medians over the hands.
 std::string reading_table(const std::vector<reading_cell>& cells);
 
 }  // namespace experiments

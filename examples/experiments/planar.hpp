@@ -1,4 +1,4 @@
-// The experiments of section 5 in the plane: one run of a hand that follows a wall with a simulated device.
+// The planar experiments of section 5: runs of a hand along a wall with a simulated device.
 #pragma once
 
 #include "laws.hpp"
@@ -16,7 +16,7 @@ namespace experiments {
 namespace ph = passive_haptics;
 using plane_vector = ph::vector<double, 2>;
 
-// A wall of any of the experiments' shapes.
+// A wall of any shape of the experiments.
 class test_wall {
  public:
   static constexpr int dimension = 2;
@@ -38,24 +38,23 @@ class test_wall {
 };
 
 test_wall planar_wall(double slant = 0);  // through (0, 0.225) m, free below, slanted by this angle [rad]
-test_wall concave_wall();                 // inside of the circle of 0.325 m about (0.11, -0.10) m
-test_wall convex_wall();                  // outside of the circle of 0.325 m about (0.11, 0.55) m
+test_wall concave_wall();                 // inside the circle of 0.325 m about (0.11, -0.10) m
+test_wall convex_wall();                  // outside the circle of 0.325 m about (0.11, 0.55) m
 
-// What a run varies; the defaults are those of the paper's device.
+// Variations of a run; the defaults are those of the paper's device.
 struct setup {
-  double environment_rate = 1000;  // of the virtual environment [Hz]
-  double time_step = 1e-4;         // of the simulation [s]
-  double lag = 0.020;              // of the brakes [s],
-  std::optional<double> believed_lag =
-      std::nullopt;        // and what the controller takes it for, where it does not know [s]
-  double limit = 1;        // of the brakes [N m], which it knows
-  double gain = 1;         // of the real brakes [1], which it does not
-  double residual = 0;     // torque of a released brake [N m]
-  double inertia = 1;      // of the model, for each kg of the device
-  double noise = 0;        // of the force sensor [N]
-  std::uint64_t seed = 1;  // of that noise
-  double gap = 0.004;      // off the wall at the start [m]
-  double approach = 0.1;   // speed into the wall at the start [m/s]
+  double environment_rate = 1000;                     // of the virtual environment [Hz]
+  double time_step = 1e-4;                            // of the simulation [s]
+  double lag = 0.020;                                 // of the brakes [s]
+  std::optional<double> believed_lag = std::nullopt;  // known to the controller, if different [s]
+  double limit = 1;                                   // of the brakes, known to the controller [N m]
+  double gain = 1;                                    // of the brakes, unknown to the controller [1]
+  double residual = 0;                                // torque of a released brake [N m]
+  double inertia = 1;                                 // of the model, relative to the device
+  double noise = 0;                                   // of the force sensor [N]
+  std::uint64_t seed = 1;                             // of that noise
+  double gap = 0.004;                                 // distance from the wall at the start [m]
+  double approach = 0.1;                              // speed into the wall at the start [m/s]
   ph::following_hand_parameters<double> hand = {};
 };
 
@@ -68,7 +67,7 @@ struct instant {
 struct run_result {
   ph::contact_metrics figures;
   ph::energy_balance energy;
-  double min_alpha = 1;  // over the run, where a wall was touched
+  double min_alpha = 1;  // over the run, during contact
   std::vector<instant> trace;
 };
 

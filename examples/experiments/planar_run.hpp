@@ -1,4 +1,4 @@
-// How a run is made, for any mechanism in the plane.
+// Runs for any planar mechanism.
 #pragma once
 
 #include "control_of.hpp"
@@ -13,17 +13,17 @@ namespace experiments {
 inline constexpr double start_x = 0.045, end_x = 0.17;  // [m]
 inline constexpr double trace_period = 5e-3;            // [s]
 
-// What differs between the devices.
+// Differences between the devices.
 template <class M, class Brakes = ph::brakes_of<M>, class Model = ph::coulomb_brake<double>>
 struct device {
   M real, believed;
-  Brakes brakes;  // as the controller knows them
+  Brakes brakes;  // as known to the controller
   ph::brake_models_of<M, Model> real_brakes;
   double encoder_resolution;  // [rad or m]
   ph::joint_vector<M> start;  // joint positions
 };
 
-// Where the handle starts: this far off the wall at start_x.
+// Start of the handle at this distance from the wall, at start_x.
 inline plane_vector start_beside(const test_wall& wall, double gap) {
   plane_vector x(start_x, 0.2);
   for (int k = 0; k < 50; ++k) x[1] += (wall.distance(x) - gap) / std::max(0.2, -wall.gradient(x)[1]);
@@ -66,7 +66,6 @@ run_result follow(const device<M, Brakes, Model>& d, const any_control<M>& contr
   return result;
 }
 
-// Under any of the laws.
 template <class M, class Brakes, class Model>
 run_result follow(const device<M, Brakes, Model>& d, law which, const test_wall& wall, const setup& how) {
   const any_control<M> control =

@@ -1,4 +1,4 @@
-// Random devices and hands: what a lab's device may differ in from its model.
+// Random devices and hands, which differ from the model as real devices do.
 #pragma once
 
 #include "planar.hpp"
@@ -9,21 +9,20 @@
 
 namespace experiments {
 
-inline constexpr std::uint64_t plant_seed = 20040627;  // of the experiments, where no other one is named
+inline constexpr std::uint64_t plant_seed = 20040627;  // default of the experiments
 
-// The torque limit [N m] that just holds a hand with this push [N] off the paper's walls.
+// The torque limit [N m] that just holds a hand with this push [N] on the paper's walls.
 constexpr double weak_brake_limit(double push) { return 1.25 / 17 * push; }
 
-// Number k of this seed: calls draw evenly between two numbers.
+// Number k of this seed: calls draw uniformly between two numbers.
 inline auto evenly(std::uint64_t seed, std::size_t k) {
   return [bits = ph::random_bits(seed, k)](double low, double high) mutable {
     return low + (high - low) * ph::uniform_number(bits);
   };
 }
 
-// Plant number k of this seed: brakes of another gain, residual torque, lag and limit, a model whose inertia
-// is off by up to 25 %, a noisy sensor, a hand that pushes and weighs more or less. The controller knows
-// limit and lag.
+// Plant number k of this seed: gain, residual torque, lag and limit of the brakes, up to 25 % error of the
+// inertia, a noisy sensor, a hand with another push and mass. The controller only knows limit and lag.
 inline setup random_plant(std::uint64_t seed, std::size_t k) {
   auto between = evenly(seed, k);
   setup how;
@@ -40,8 +39,8 @@ inline setup random_plant(std::uint64_t seed, std::size_t k) {
   return how;
 }
 
-// The paper's reading of direct control: a hand that yields normal to the wall, 300 N/m towards a point 3 mm
-// beyond where it pushes, and brakes just strong enough for it. This one is in the middle of those below.
+// The paper's reading of direct control: a compliant hand, 300 N/m towards a point 3 mm beyond the push, and
+// brakes just strong enough for it. This one is in the middle of the range below.
 inline setup middle_hand() {
   setup how;
   how.hand.push = 1.75;

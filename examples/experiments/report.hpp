@@ -1,4 +1,4 @@
-// One table of all runs, printed as it fills and left as CSV.
+// One table of all runs, printed while it is filled and stored as CSV.
 #pragma once
 
 #include "table_row.hpp"
@@ -13,8 +13,8 @@ class report {
   void section(std::string_view title);  // prints a heading
   void add(const table_row& row);        // prints a line
   std::string csv() const { return csv_; }
-  double max_power() const { return max_power_; }  // that a brake gave to its device [W]
-  // Of the energy, for each joule that the brakes took.
+  double max_power() const { return max_power_; }  // of a brake on its device [W]
+  // Of the energy, per joule dissipated by the brakes.
   double max_imbalance() const { return max_imbalance_; }
 
  private:

@@ -1,4 +1,4 @@
-// docs/results.md, with which the programs compare what they print.
+// Comparison of printed tables with docs/results.md.
 #pragma once
 
 #include "markdown.hpp"
@@ -11,7 +11,7 @@ namespace experiments {
 
 inline const std::filesystem::path results_page = PASSIVE_HAPTICS_SOURCE_DIR "/docs/results.md";
 
-// Whether docs/results.md has these tables. PASSIVE_HAPTICS_WRITE_PAGES=1 writes them there.
+// True if docs/results.md has these tables. PASSIVE_HAPTICS_WRITE_PAGES=1 writes them there.
 bool is_printed(const page_tables& tables);
 
 }  // namespace experiments

@@ -1,4 +1,4 @@
-// Arms of thin rods, for the experiments and the tests that share them.
+// Arms of thin rods, for experiments and tests.
 #pragma once
 
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
@@ -11,7 +11,7 @@ namespace experiments {
 
 namespace ph = passive_haptics;
 
-// A planar arm of rods of 0.2 kg for 0.15 m, with 0.1 kg at the handle.
+// A planar arm of rods of 0.2 kg per 0.15 m, with 0.1 kg at the handle.
 template <std::size_t N>
 ph::serial_chain_with_inertia<double, static_cast<int>(N), 2> planar_rods(
     const std::array<double, N>& lengths) {
@@ -27,8 +27,8 @@ ph::serial_chain_with_inertia<double, static_cast<int>(N), 2> planar_rods(
   return {ph::planar_arm<double>(lengths), inertia};
 }
 
-// Yaw, and N - 1 joints that lift, with links of these lengths; rods of 0.2 kg and a column that weighs as
-// much. No gravity.
+// Yaw, and N - 1 joints that lift, with links of these lengths; rods of 0.2 kg and a column of equal mass. No
+// gravity.
 template <std::size_t N>
 ph::serial_chain_with_inertia<double, static_cast<int>(N) + 1, 3> spatial_rods(
     const std::array<double, N>& lengths) {
@@ -50,7 +50,7 @@ ph::serial_chain_with_inertia<double, static_cast<int>(N) + 1, 3> spatial_rods(
   return {geometry, inertia};
 }
 
-// The arm with these brakes alone, by their numbers from 0.
+// The arm with only these brakes, by their numbers from 0.
 template <int... Brakes, class M>
 ph::braked_joints<M, Brakes...> with_brakes(const M& arm) {
   return ph::braked_joints<M, Brakes...>(arm);

@@ -11,8 +11,7 @@
 
 namespace experiments {
 
-// Every law of the catalogue and every effect, with and without a force sensor; the others with what they
-// need.
+// Every law of the catalogue and every effect, with and without a force sensor if they do not need it.
 template <class M>
 scene_bench bench_of_all(const scene_device<M>& device) {
   std::vector<law_column<M>> laws;

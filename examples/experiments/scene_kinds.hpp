@@ -1,4 +1,4 @@
-// Specimens in scenes of every kind, as one type.
+// Specimens in scenes of every kind, type-erased.
 #pragma once
 
 #include "any_scene.hpp"
@@ -18,16 +18,16 @@ namespace experiments {
 
 using ph::runtime::any_shape;
 
-// A specimen at a place, by types that are the same for all.
+// A type-erased specimen at a place.
 template <int D>
 struct placed_specimen {
   std::vector<any_shape<D>> shapes;     // of a scene; none if a mesh_surface needs a world
   std::vector<ph::any_wall<D>> walls;   // of a world
-  std::shared_ptr<any_shape<D>> felt;   // by which depths are measured,
-  std::shared_ptr<any_shape<D>> meant;  // and by which the hand goes
+  std::shared_ptr<any_shape<D>> felt;   // for measuring depths
+  std::shared_ptr<any_shape<D>> meant;  // path of the hand
 };
 
-// The first specimen of a surface: what the others are compared with.
+// The first specimen of a surface, the reference for the others.
 template <int D>
 any_shape<D> reference_shape(surface of, const place<D>& p) {
   switch (of) {
@@ -89,14 +89,14 @@ std::vector<any_specimen<D>> all_specimens() {
   return all;
 }
 
-// A scene whose walls are moved before it is sensed.
+// A scene with walls that are moved before it is sensed.
 template <class Scene, int D, int Capacity>
 class moved_scene final : public any_scene<D, Capacity>::interface {
   using base = typename any_scene<D, Capacity>::interface;
   using contacts = typename any_scene<D, Capacity>::contacts_type;
 
  public:
-  using mover = std::function<void(Scene&, double)>;  // to where its walls are at a time [s]
+  using mover = std::function<void(Scene&, double)>;  // moves its walls to a time [s]
   moved_scene(Scene scene, mover move) : scene_(std::move(scene)), move_(std::move(move)) {}
   std::unique_ptr<base> copy() const override { return std::make_unique<moved_scene>(*this); }
   const contacts& touched_at(const ph::point<D>& x, double time) override {
@@ -125,7 +125,7 @@ ph::any_wall<D> far_mesh(place<D> p) {
   return ph::any_wall<D>(ph::wall(ph::mesh_solid<D>(p.block(-0.5, 0.5))));
 }
 
-// The scene of this kind; where its walls are at a time: `speed` times (time - middle) out of themselves.
+// The scene of this kind. At a time, its walls are displaced outward by `speed` times (time - middle).
 template <int D, int Capacity>
 any_scene<D, Capacity> scene_of(const scene_kind& kind, const placed_specimen<D>& placed, const place<D>& p,
                                 double middle) {

@@ -1,4 +1,4 @@
-// When a cell of the tables of scenes is worse than its reference, and why it may be.
+// Conditions under which a cell of the scene tables may be worse than its reference.
 #include "laws.hpp"
 #include "scenes.hpp"
 

@@ -1,4 +1,4 @@
-// A hand at a specimen in a scene, in closed loop under every law: the cells of the tables of scenes.
+// A hand at a specimen in a scene, in closed loop under every law: cells of the scene tables.
 #pragma once
 
 #include "control_of.hpp"
@@ -14,7 +14,7 @@ namespace experiments {
 
 inline constexpr std::uint64_t scene_seed = 3000;  // of the hands
 
-// A device, and where specimens are put.
+// A device and the place of specimens.
 template <class M>
 struct scene_device {
   std::string name;
@@ -35,7 +35,7 @@ inline ph::following_hand_parameters<double> random_hand(std::size_t k) {
   return hand;
 }
 
-// Commands of the brakes by the state of the device.
+// Commands of the brakes for the state of the device.
 template <class M>
 using loop_control = std::function<ph::brake_command<M>(const ph::device_state<M>&)>;
 
@@ -48,7 +48,7 @@ struct law_column : scene_law {
       control;
 };
 
-// A law as a device file makes it: one that has a lead leads by the lag of the slowest brake.
+// A law as from a device file: a `lead` is the lag of the slowest brake.
 template <class Law>
 Law with_lead(Law law, const auto& brakes) {
   if constexpr (requires { law.parameters.lead; }) law.parameters.lead = brakes.time_constant.maxCoeff();
@@ -77,7 +77,7 @@ law_column<M> column(const std::string& name, bool has_sensor, const Law& law) {
   return {{name, has_sensor, capacity == 1 ? 1 : 1000}, control};
 }
 
-// The walls at their present place, as the hand meets them.
+// The walls at their present place.
 template <int D>
 struct carried_shape {
   static constexpr int dimension = D;
@@ -87,7 +87,7 @@ struct carried_shape {
   ph::point<D> gradient(const ph::point<D>& x) const { return of.meant->gradient(x - displacement); }
 };
 
-// The joint angles with the handle at x.
+// Joint positions for the handle at x.
 template <class M>
 ph::joint_vector<M> joints_at(const scene_device<M>& device, const ph::task_vector<M>& x) {
   ph::joint_vector<M> q = device.home;
@@ -100,7 +100,7 @@ ph::joint_vector<M> joints_at(const scene_device<M>& device, const ph::task_vect
   return q;
 }
 
-// Hand number k at a specimen: it glides 50 mm along it, then pulls out with 2 N.
+// Hand number k at a specimen: glides 50 mm along it, then pulls out with 2 N.
 template <class M>
 scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::task_dimension>& specimen,
                            const scene_kind& kind, const law_column<M>& law, std::size_t k) {
@@ -127,7 +127,7 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
                           .solve(ph::task_vector<M>(p.speed * along - approach * n)));
   scene_figures figures{.hands = 1};
   double start = 0, now = 0;
-  bool is_released = false;  // where the device cannot reach
+  bool is_released = false;  // out of reach
   const auto controller = law.control(device.mechanism, device.brakes, kind, placed, where, middle);
   const auto control = [&](ph::device_state<M> state) {
     now = state.time += start;

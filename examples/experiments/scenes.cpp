@@ -12,7 +12,7 @@ namespace experiments {
 
 namespace {
 
-// Cells of one kind of scene, of both devices.
+// A cell of one kind of scene, for both devices.
 struct numbered_cell {
   std::size_t bench, specimen, law;
 };
@@ -41,7 +41,7 @@ class scene_tables {
     }
   }
 
-  // Effects, alone and along a wall.
+  // Effects with and without a wall.
   std::string fill_effects() {
     std::string all = markdown_head({"effect", "scene", "law", "moved [mm]", "creeps [mm/s]",
                                      "leaves after [ms]", "never left", "deepest in the wall [mm]"});
@@ -78,7 +78,7 @@ class scene_tables {
     const auto found = limited_.find("");
     return found == limited_.end() ? 0 : found->second.cells;
   }
-  // The table of limits; how many cells each explains goes to stdout, as it differs from run to run.
+  // Table of limits; the number of cells per limit goes to stdout, since it varies between runs.
   std::string limits() const {
     std::string all = markdown_head({"where", "why"});
     for (const scene_limit& l : scene_limits()) {
@@ -90,7 +90,7 @@ class scene_tables {
     }
     return all;
   }
-  // Words that docs/results.md is compared with: s for separations, ! for what is worse.
+  // Words for the comparison with docs/results.md: s for separations, ! for worse cells.
   std::string page_text(const scene_kind& kind, std::size_t b, const std::string& name,
                         std::size_t law) const {
     const auto found = results_.find({kind.name, b, name, law});
@@ -98,7 +98,7 @@ class scene_tables {
     const judged& j = found->second;
     return written("%.1f", j.ratio) + (j.figures.separations > 0 ? " s" : "") + (j.worse.empty() ? "" : " !");
   }
-  // Under one law, shapes that are felt alike in one row.
+  // One law, with shapes that feel alike in one row.
   std::string by_kind(std::size_t law) const {
     std::vector<std::string> head{"shape"};
     for (const auto& kind : scene_kinds) head.push_back(kind.name);

@@ -13,10 +13,9 @@
 
 namespace experiments {
 
-// A kind of scene.
 struct scene_kind {
   const char* name;
-  double speed = 0;  // of the wall out of itself [m/s]
+  double speed = 0;  // outward, of the wall [m/s]
   bool is_world = false, is_slow = false, has_bar = false, has_mesh = false;
 };
 inline constexpr std::array<scene_kind, 9> scene_kinds{{
@@ -31,27 +30,25 @@ inline constexpr std::array<scene_kind, 9> scene_kinds{{
     {.name = "moves towards the hand", .speed = 0.02},
 }};
 
-// The surface that a specimen is meant to be: it leads the hand, and is what the specimen is compared with.
+// The surface that a specimen represents: it defines the hand's path and the reference.
 enum class surface { plane, solid, hollow, edge };
 
-// A row of the tables.
 struct scene_specimen {
   std::string name;
   surface meant = surface::plane;
-  bool is_thin = false;     // half of its thickness is less than a hand's depth
-  bool is_surface = false;  // a mesh_surface, which needs a world
+  bool is_thin = false;     // less than twice a hand's depth
+  bool is_surface = false;  // a mesh_surface, which requires a world
   bool is_mesh = false;
   int walls = 1;
 };
 
-// A column.
 struct scene_law {
   std::string name;
   bool has_sensor = true;
-  int max_walls = 1000;  // that it takes
+  int max_walls = 1000;  // maximum number of walls
 };
 
-// The figures of one hand, or the worst of several.
+// Figures of one hand, or the worst of several.
 struct scene_figures {
   int hands = 0, arrived = 0, through = 0, not_left = 0, separations = 0;
   double max_depth = 0, deviation = 0, drag = 0, leave = 0;  // [m], [m], [N], [s]
@@ -59,12 +56,12 @@ struct scene_figures {
   void add(const scene_figures& other);
 };
 
-// An effect, and whether it holds a hand.
+// An effect; holds: it holds a hand.
 struct scene_effect {
   std::string name;
   bool holds;
 };
-// The figures of one hand that pushes against an effect, or the worst of several.
+// Figures of one hand against an effect, or the worst of several.
 struct effect_figures {
   int hands = 0, not_left = 0;
   double moved = 0, creep = 0, max_depth = 0, leave = 0;  // [m], [m/s], in the wall [m], [s]
@@ -72,49 +69,48 @@ struct effect_figures {
   void add(const effect_figures& other);
 };
 
-// A device with its laws: what a program runs, whichever mechanism it is.
+// A device with its laws, for any mechanism.
 struct scene_bench {
   std::string device;
   std::vector<scene_specimen> specimens;
   std::vector<scene_law> laws;
-  // Of these hands at specimen i under law j.
+  // Runs these hands at specimen i under law j.
   std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, const number_range& hands)>
       run;
   std::vector<scene_effect> effects = {};
   std::vector<scene_law> effect_laws = {};
-  // Of these hands at effect i under law j.
+  // Runs these hands at effect i under law j.
   std::function<effect_figures(bool has_wall, std::size_t i, std::size_t j, const number_range& hands)>
       run_effect = {};
 };
 scene_bench planar_bench();
 scene_bench spatial_bench();
 
-// One cell.
 struct scene_cell {
   const scene_bench& bench;
   const scene_kind& kind;
   const scene_specimen& specimen;
   const scene_law& law;
 };
-// Why there is no such scene; empty if there is one.
+// Reason why there is no such scene; empty if there is one.
 std::string unfit(const scene_cell& cell);
-// What is worse than at the reference: the first specimen of the same surface in the same kind of scene, and
-// of that one alone. Empty if nothing is.
+// Properties that are worse than at the reference, the first specimen of the same surface in the same kind of
+// scene. Empty if there are none.
 std::string worse_than(const scene_figures& reference, const scene_figures& figures);
-// The table of limits: when a cell may be worse.
+// A row of the table of limits: a condition under which a cell may be worse.
 struct scene_limit {
   std::string where;
   const char* reason;
   bool (*holds)(const scene_cell& cell, const std::string& worse);
 };
 const std::vector<scene_limit>& scene_limits();
-// The first limit that holds; nullptr if none does.
+// The first limit that applies; nullptr for none.
 const scene_limit* limit_of(const scene_cell& cell, const std::string& worse);
 
 inline constexpr number_range default_scene_hands{0, 9};
 
-// Prints the table of each kind of scene and the cells that are worse than their reference; returns the
-// tables of docs/results.md. `unexplained` counts worse cells without a reason.
+// Prints the table of each kind of scene and the cells worse than their reference; returns the tables of
+// docs/results.md. `unexplained` counts worse cells without a reason.
 page_tables follow_scenes(const number_range& hands, int& unexplained);
 
 }  // namespace experiments

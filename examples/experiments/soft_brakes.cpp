@@ -32,8 +32,8 @@ constexpr std::array<brake_row, 7> rows{
 
 struct outcome {
   ph::contact_metrics figures;
-  bool held;      // its residual torque alone keeps the hand off the wall
-  double pushed;  // share of the way on which the calculator says so
+  bool held;      // its residual torque keeps the hand off the wall
+  double pushed;  // the same according to the calculator, share of the path
 };
 
 tendon tendon_of(double inertia) {
@@ -56,7 +56,7 @@ ph::contact_metrics follow_plane(const device_here& d, double presliding,
                          ph::following_hand<double, 2>(d.plane.direction, d.plane.start, d.hand), d.run);
 }
 
-// Share of the way on which a hand that slides there is pushed out by the residual torques.
+// Share of the path on which the residual torques push out a sliding hand.
 double pushed_out_share(const device_here& d, double residual) {
   constexpr int places = 40;
   const tendon real = tendon_of(d.inertia);

@@ -1,4 +1,4 @@
-// Brakes that twist before they slip, and brakes that drag without current, on random devices.
+// Brakes that twist before they slip, and brakes with residual torque, on random devices.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace experiments {
 
-// 60 tendon devices of this seed under velocity_direct_control, for each presliding and each residual torque:
-// what became of the hand, how its runs ended, and what the wall calculator says, as a table of Markdown.
+// 60 tendon devices of this seed under velocity_direct_control, for each presliding and residual torque:
+// outcomes, ends of runs, and results of the wall calculator, as a Markdown table.
 std::string soft_brakes(std::uint64_t seed);
 
 }  // namespace experiments

@@ -33,7 +33,7 @@ arm make_arm() {
   return arm(geometry, inertia);
 }
 
-// Where the experiment takes place: a mechanism, the middle of the path, its length, joints near it.
+// The place of the experiment: a mechanism, the middle and length of the path, nearby joint positions.
 template <class M>
 struct place {
   M mechanism;
@@ -41,7 +41,7 @@ struct place {
   double length;
   space_vector near_q;
 
-  // Joint positions that put the handle at x, by Newton's method.
+  // Joint positions for the handle at x, by Newton's method.
   space_vector inverse(const space_vector& x) const {
     space_vector q = near_q;
     for (int k = 0; k < 50; ++k) {
@@ -54,7 +54,7 @@ struct place {
   }
 };
 
-// What the hand feels of one wall: distance and normal at x.
+// One wall: distance and normal at x.
 struct touch {
   std::function<double(const space_vector&)> distance;
   std::function<space_vector(const space_vector&)> normal;
@@ -66,8 +66,7 @@ touch touch_of(const Shape& shape) {
           [shape](const space_vector& x) { return shape.gradient(x); }};
 }
 
-// Force of the hand: along x at constant speed, pushing into each wall, sideways held where there is one
-// wall.
+// Force of the hand: along x at constant speed, with a push into each wall; held sideways at a single wall.
 class hand {
  public:
   hand(const space_vector& start, double push) : start_(start), push_(push) {}
@@ -96,8 +95,7 @@ class hand {
   double push_;
 };
 
-// The capacities [N m] that a controller of any law commands, so that the run is compiled once for all of
-// them.
+// Capacities [N m] of a controller of any law; runs are compiled once for all of them.
 template <class M>
 using any_control = std::function<space_vector(const ph::device_state<M>&)>;
 

@@ -1,4 +1,4 @@
-// What the paper could not do: three degrees of freedom, a plane, spheres, and the edge of two planes.
+// Beyond the paper: three degrees of freedom, a plane, spheres, and the edge of two planes.
 #pragma once
 
 #include "planar.hpp"
@@ -19,13 +19,14 @@ std::string_view name_of(space_device which);
 std::string_view name_of(space_wall which);
 
 struct space_result {
-  std::vector<ph::contact_metrics> figures;                   // of each wall: two of an edge
-  std::vector<std::pair<double, std::vector<double>>> trace;  // way made [m], depth in each wall [m]
+  std::vector<ph::contact_metrics> figures;  // of each wall, two for an edge
+  std::vector<std::pair<double, std::vector<double>>>
+      trace;  // distance along the path [m], depth in each wall [m]
   ph::energy_balance energy;
 };
 
-// A hand of 0.5 kg moves the handle along x at 0.05 m/s over the middle of the device's workspace, 0.1 m for
-// the arm and 0.06 m for the delta, pressing with 2 N on each wall; it starts 4 mm above them at 0.1 m/s.
+// A hand of 0.5 kg moves the handle along x at 0.05 m/s over the middle of the workspace, 0.1 m for the arm
+// and 0.06 m for the delta, with a push of 2 N into each wall; it starts 4 mm above them at 0.1 m/s.
 space_result follow_in_space(space_device device, space_wall wall, law which, const setup& how);
 
 }  // namespace experiments

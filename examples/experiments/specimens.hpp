@@ -1,5 +1,4 @@
-// The list of shapes: each as a hand meets it in the experiments on scenes, and as the property tests check
-// it. A shape that is added here is in both.
+// The list of shapes for the experiments on scenes and for the property tests. A shape added here is in both.
 #pragma once
 
 #include "scenes.hpp"
@@ -29,19 +28,19 @@ namespace experiments {
 
 namespace ph = passive_haptics;
 
-// The place at which a specimen is touched first; its surface goes through it.
+// The place of first contact with a specimen, a point of its surface.
 template <int D>
 struct place {
-  ph::point<D> at, normal, along;  // [m], out of the wall, of the hand's way (unit, normal to each other)
-  double radius = 60e-3;           // of curved specimens; the length by which others scale [m]
-  int fine = 72;                   // corners of a circle that is felt as one
+  ph::point<D> at, normal, along;  // [m], outward normal, direction of the hand (orthonormal)
+  double radius = 60e-3;           // radius of curved specimens and scale of others [m]
+  int fine = 72;                   // corners of a circle that feels smooth
 
   // The point at these multiples of the radius.
   ph::point<D> point(double forward, double up, double across = 0) const {
     return at + radius * (axes() * coordinates(forward, up, across));
   }
   ph::point<D> direction(double forward, double up) const { return axes() * coordinates(forward, up, 0); }
-  // Columns: along, across (in space only), normal.
+  // Columns: along, across (spatial only), normal.
   ph::matrix<double, D, D> axes() const {
     ph::matrix<double, D, D> all;
     all.col(0) = along;
@@ -49,7 +48,7 @@ struct place {
     all.col(D - 1) = normal;
     return all;
   }
-  // A box from its centre and half extents in multiples of the radius; turned about the axis across.
+  // A box from its centre and half extents in multiples of the radius; rotated about the axis across.
   ph::box<D> box(double forward, double up, double half_along, double half_up, double turn = 0) const {
     ph::box_parameters<D> p{point(forward, up), radius * coordinates(half_along, half_up, 1.5), axes()};
     const double c = std::cos(turn), s = std::sin(turn);
@@ -57,7 +56,7 @@ struct place {
     p.axes.col(D - 1) = direction(-s, c);
     return ph::box<D>(p);
   }
-  // A bar across the way, of a circle's cross-section; in the plane one that goes on downwards or upwards.
+  // A bar across the path with circular cross-section; planar bars extend downwards or upwards.
   ph::capsule<D> bar(double up, double thickness, double end) const {
     return D == 3 ? ph::capsule<D>(point(0, up, -2), point(0, up, 2), thickness * radius)
                   : ph::capsule<D>(point(0, up), point(0, end), thickness * radius);
@@ -137,17 +136,17 @@ template <class Make>
 struct specimen {
   const char* name;
   surface meant;
-  Make make;             // of a place: a shape, or a tuple of shapes
-  bool is_thin = false;  // half of its thickness is less than a hand's depth
+  Make make;             // makes a shape, or a tuple of shapes, at a place
+  bool is_thin = false;  // less than twice a hand's depth
 };
 template <class Make>
 specimen(const char*, surface, Make, bool = false) -> specimen<Make>;
 
-inline constexpr double rounded_edge = 0.1;  // radius of the way over an edge, by that of curved specimens
+inline constexpr double rounded_edge = 0.1;  // radius of the path over an edge, by that of curved specimens
 inline constexpr double quarter = std::numbers::pi / 4;
 
-// The first of each surface is the one that the others are compared with. Those that take a place<2> or
-// place<3> are for the plane or for space only.
+// The first of each surface is the reference of the others. Those that accept a place<2> or place<3> are
+// planar or spatial only.
 inline constexpr auto specimens = std::make_tuple(
     specimen{"half_space", surface::plane, [](const auto& p) { return p.plane(0); }},
     specimen{"ball", surface::solid, [](const auto& p) { return p.ball(-1); }},
@@ -228,7 +227,7 @@ inline constexpr auto specimens = std::make_tuple(
     specimen{"mesh_solid, edge", surface::edge, [](const auto& p) { return ph::mesh_solid(p.ridge()); }},
     specimen{"mesh_surface, edge", surface::edge, [](const auto& p) { return ph::mesh_surface(p.ridge()); }});
 
-// f(specimen) for each that there is in D dimensions.
+// Calls f(specimen) for each one in D dimensions.
 template <int D, class F>
 void for_each_specimen(F&& f) {
   const auto each = [&]<class Make>(const specimen<Make>& s) {

@@ -1,4 +1,4 @@
-// Runs with the XY table: slides with a brake each, felt at 0.1 m from the brake's axis.
+// Runs with the XY table: slides with a brake each, at 0.1 m from the brake's axis.
 #include "planar_run.hpp"
 
 namespace experiments {
@@ -13,7 +13,7 @@ run_result follow_with_table(law which, const test_wall& wall, const setup& how)
   d.real_brakes = ph::ideal_brakes(d.brakes);
   d.brakes.time_constant.setConstant(how.believed_lag.value_or(how.lag));
   d.start = start_beside(wall, how.gap);
-  // Each further law takes the compiler a second
+  // Each further law takes a second to compile
   switch (which) {
     case law::none: return follow(d, control_of(d, ph::no_direct_control(), wall, how), wall, how);
     case law::velocity: return follow(d, control_of(d, ph::velocity_direct_control(), wall, how), wall, how);

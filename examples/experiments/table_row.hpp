@@ -9,12 +9,12 @@ namespace experiments {
 
 // Figures of one run, or of one of its walls.
 struct table_row {
-  std::string device, wall, environment, law;  // environment: what slows the wall down
+  std::string device, wall, environment, law;  // environment: delay of the wall
   ph::contact_metrics figures;
   double imbalance = 0;  // of the energy [J]
 };
 
-// The names of the columns, and a row; both end in a new line.
+// Header and row, each with a newline.
 std::string csv_head();
 std::string csv_line(const table_row& row);
 

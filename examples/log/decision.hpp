@@ -1,5 +1,4 @@
-/// @file
-/// The columns that all logs share: how the device moved, and what the law made of it.
+/// Columns of all logs: motion of the device and result of the law.
 #pragma once
 
 #include <log/log_row.hpp>
@@ -10,7 +9,7 @@
 
 namespace example {
 
-/// Which joints slide, and the brakes on them; those that are not named turn.
+/// Joints and their brakes that slide; others rotate.
 struct joint_kinds {
   std::vector<bool> slides;
 
@@ -22,7 +21,7 @@ struct joint_kinds {
   auto torque() const { return of("N m", "N"); }
 };
 
-/// t, q1 ..., qd1 ..., Fh_x ... of a device_state or the like; what is NaN is an empty cell.
+/// t, q1 ..., qd1 ..., Fh_x ... of a device_state or similar; NaN gives an empty cell.
 template <class State>
 void put_motion(log_row& row, const joint_kinds& joints, const State& s) {
   row.put("t", "s", s.time);
@@ -32,7 +31,7 @@ void put_motion(log_row& row, const joint_kinds& joints, const State& s) {
 }
 
 /// status, power, display, gamma, alpha, Fd_x ..., Fc_x ..., capacity1 ..., torque1 ... of a step_result or
-/// the like; empty cells where the law did not run.
+/// similar; empty cells if the law did not run.
 template <class Decision>
 void put_decision(log_row& row, const joint_kinds& joints, const Decision& r, bool was_asked = true) {
   row.blank(!was_asked);

@@ -1,5 +1,4 @@
-/// @file
-/// The columns of docs/guide/log.md: their units, and which of them are words.
+/// The columns of docs/guide/log.md, with their units and types.
 #pragma once
 
 #include <string_view>
@@ -7,25 +6,25 @@
 
 namespace example {
 
-/// What stands behind the name of a column that is one of several.
+/// Suffix of the names of a group of columns.
 enum class column_parts {
   none,     ///< t
   numbers,  ///< q1, q2, ...
   axes      ///< Fh_x, Fh_y, Fh_z
 };
 
-/// A column, or several of one name.
+/// One column, or several with one name.
 struct known_column {
-  std::string_view name;                ///< Without its part, as "q" of q1.
-  column_parts parts;                   ///< What stands behind the name.
-  std::vector<std::string_view> units;  ///< The first is that of a log without units; "" of words.
-  bool is_read;                         ///< By replay, so that no other unit will do.
+  std::string_view name;                ///< Without the suffix, "q" for q1.
+  column_parts parts;                   ///< Suffix.
+  std::vector<std::string_view> units;  ///< The first is that of a log without units; "" for words.
+  bool is_read;                         ///< True if replay reads it, which then allows no other unit.
 };
 
 /// The columns of this library's logs.
 const std::vector<known_column>& known_columns();
 
-/// What is known of a column by its name, "q1", or nullptr.
+/// The known column for a name such as "q1", or nullptr.
 const known_column* find_known(std::string_view name);
 
 }  // namespace example

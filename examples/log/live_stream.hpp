@@ -1,5 +1,4 @@
-/// @file
-/// A log as it comes, for a program that draws it: one JSON object a datagram, to a UDP port of this machine.
+/// Live log for plotting: one JSON object per datagram, to a UDP port of this machine.
 #pragma once
 
 #include <log/log_row.hpp>
@@ -13,10 +12,10 @@
 
 namespace example {
 
-/// Sends rows at once, without waiting. Nobody has to listen.
+/// Sends rows immediately, without waiting. A receiver is optional.
 class live_stream {
  public:
-  /// Empty, or what is wrong. port 0: nothing is ever sent.
+  /// Returns an error or an empty string. port 0: sends nothing.
   std::string open(int port) { return port == 0 ? "" : peer_.open("127.0.0.1", port); }
   void send(log_row& row) noexcept { send(row.json()); }
   void send(const std::string& json) noexcept {
@@ -27,13 +26,12 @@ class live_stream {
   udp_peer peer_;
 };
 
-/// A stream for a simulation: a thread of its own sends each row when its time has passed since the start, so
-/// that a second takes a second.
+/// A stream for a simulation: a thread sends each row when its time has passed since the start, in real time.
 class paced_stream {
  public:
-  /// Throws std::runtime_error with what is wrong.
+  /// Throws std::runtime_error.
   explicit paced_stream(int port);
-  /// Ends when all is sent.
+  /// Waits until all rows are sent.
   ~paced_stream();
   paced_stream(const paced_stream&) = delete;
   paced_stream& operator=(const paced_stream&) = delete;

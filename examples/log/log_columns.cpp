@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t lines_between = 4096;
 
-// A column while it is read. Of one that may be either, both forms are kept until a cell is no number.
+// A column while it is read. If it may be words, both forms are kept until a cell is not a number.
 struct growing_column {
   log_column column;
   bool has_numbers, has_words;
@@ -59,7 +59,7 @@ bool same_bits(double a, double b) {
          std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-// Of one cell.
+// Compares one cell.
 void require_equal_cell(const log_reader& log, std::size_t at, const log_column& column, std::size_t line) {
   const std::string place = " for '" + column.name + "'";
   if (column.is_words()) {

@@ -30,14 +30,14 @@ bool take(std::string_view& text, std::string_view beginning) {
   return true;
 }
 
-// By which spreadsheets name the separator
+// Line by which spreadsheets define the separator
 bool is_separator_line(std::string_view line) { return line.size() == 5 && line.starts_with("sep="); }
 
 }  // namespace
 
 log_reader::log_reader(std::istream& in, std::string name)
     : lines_(in, max_line_length), file_(std::move(name)) {
-  lines_.limit_zeros(1);  // the one that ends a text in C
+  lines_.limit_zeros(1);  // the end of a C string
   read_header();
   for (std::size_t i = 0; i < names_.size(); ++i)
     if (find(names_[i]) != i) fail(i + 1, "a second " + in_quotes(names_[i]), "each name once");
@@ -52,7 +52,7 @@ log_reader::log_reader(std::istream& in, std::string name)
   time_ = -std::numeric_limits<double>::infinity();
 }
 
-// The names stand in the first line that is no remark; or, as NumPy writes them, in a remark, above a row.
+// The names are in the first line that is not a comment, or, as written by NumPy, in a comment above a row.
 void log_reader::read_header() {
   const char* const expected = "a line of names, t,q1,...";
   if (!next_line()) fail(0, "the log is empty", expected);
@@ -81,7 +81,7 @@ void log_reader::read_remark() {
   }
 }
 
-// Those of a line in which there is a t, by whatever separator.
+// Finds the names in a line with a t, for any separator.
 bool log_reader::take_names(std::string_view line) {
   for (const char separator : {',', ';', '\t'}) {
     const char before = std::exchange(separator_, separator);
@@ -121,7 +121,7 @@ std::string_view log_reader::unit(std::size_t column) const {
 
 bool log_reader::next() {
   if (!std::exchange(row_is_read_, false) && !next_line()) return false;
-  if (lines_.line().empty()) {  // blank lines may end a log
+  if (lines_.line().empty()) {  // a log may end with blank lines
     while (next_line())
       if (!lines_.line().empty()) fail(0, "a blank line before this one", "numbers in each line");
     return false;
@@ -161,7 +161,7 @@ double log_reader::number(std::size_t column) const {
        expected + " alone; units stand in the header");
 }
 
-// A quote within a cell in quotes stands twice.
+// Quotes within a quoted cell are doubled.
 std::string log_reader::text(std::size_t column) const {
   std::string text(fields_[column]);
   for (std::size_t at = 0; (at = text.find("\"\"", at)) != text.npos; ++at) text.erase(at, 1);
@@ -185,7 +185,7 @@ bool log_reader::next_line() {
   return false;
 }
 
-// At the separators outside of quotes.
+// Splits at separators outside quotes.
 void log_reader::split(std::string_view line, std::vector<std::string_view>& fields) const {
   fields.clear();
   bool inside = false;

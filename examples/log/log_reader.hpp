@@ -1,6 +1,4 @@
-/// @file
-/// Reads a log of docs/guide/log.md line by line, and says what is wrong with it, where, and what was
-/// expected.
+/// Reads a log of docs/guide/log.md line by line, with errors that give the place and the expectation.
 #pragma once
 
 #include <passive_haptics/scene/files/text_lines.hpp>
@@ -14,43 +12,41 @@
 
 namespace example {
 
-/// A log is not as it should be; the text names file, line, column and expectation.
+/// A malformed log; the text has file, line, column and expectation.
 struct log_error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Columns are found by name, in any order, beside others that nobody needs. Memory does not grow with the
-/// log. A log without lines on version and units is taken as one of this version in the units that are read.
-/// Cells are separated by commas, semicolons or tabs, as the names are. A cell may be in quotes, the names
-/// behind a #, a line "sep=;" before them.
+/// Columns are found by name, in any order; others are ignored. Memory does not grow with the log. A log
+/// without lines for version and units is assumed to have this version and the units that are read. Cells and
+/// names are separated by commas, semicolons or tabs. Cells may be quoted, names may follow a #, and a line
+/// "sep=;" may precede them.
 class log_reader {
  public:
-  static constexpr std::size_t max_line_length =
-      4096;  ///< Longer lines are a mistake, not a log [characters].
+  static constexpr std::size_t max_line_length = 4096;  ///< Maximum line length [characters].
 
-  /// Reads the header. name: of the file, for the messages.
+  /// Reads the header. name: of the file, for errors.
   log_reader(std::istream& in, std::string name);
 
-  /// The names of all columns, in their order.
   const std::vector<std::string>& names() const { return names_; }
-  /// Whether the log names units.
+  /// True if the log has units.
   bool has_units() const { return !units_.empty(); }
-  /// Where a column stands, if it is there.
+  /// Index of a column, if it exists.
   std::optional<std::size_t> find(std::string_view name) const;
-  /// Where a column stands whose unit is one of these.
+  /// Index of a column with one of these units.
   std::size_t column(std::string_view name, const std::vector<std::string_view>& units) const;
-  /// Its unit; empty where the log names none.
+  /// Its unit; empty in a log without units.
   std::string_view unit(std::size_t column) const;
 
-  /// Goes to the next line; false at the end of the log. Its time `t` is never before that of the line above.
+  /// Goes to the next line; false at the end of the log. Its time `t` never decreases.
   bool next();
-  /// The number in a column of this line, NaN in an empty cell.
+  /// Number in a column of this line, NaN for an empty cell.
   double number(std::size_t column) const;
-  /// The text in a column of this line, empty in an empty cell.
+  /// Text in a column of this line.
   std::string text(std::size_t column) const;
   /// Throws the log_error of this line; column: from 1, or 0 for the whole line.
   [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected) const;
-  /// Number of the line that was read last, from 1.
+  /// Number of the last line, from 1.
   std::size_t line_number() const { return lines_.number(); }
 
  private:
@@ -68,8 +64,8 @@ class log_reader {
   std::size_t header_number_ = 0, time_column_ = 0;
   double time_ = 0;
   char separator_ = ',';
-  bool row_is_read_ = false;  // as it was no line of names
-  bool has_version_ = false;  // so that each line has an end
+  bool row_is_read_ = false;  // first row, if it was not a line of names
+  bool has_version_ = false;  // requires an end of each line
 };
 
 }  // namespace example

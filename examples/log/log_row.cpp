@@ -6,7 +6,7 @@
 namespace example {
 namespace {
 
-// Whether a reader of CSV would take an unquoted cell for another text.
+// True if a CSV reader would change an unquoted cell.
 bool needs_quotes(std::string_view text) {
   return text.find_first_of(",\"") != text.npos || text.starts_with(' ') || text.ends_with(' ');
 }
@@ -48,7 +48,7 @@ void log_row::put(std::string_view name, std::string_view word) {
   if (!blank_) text = word;
 }
 
-// The name is put together once only.
+// Composes the name only once.
 void log_row::put_part(const std::string& name, const std::string& part, std::string_view unit,
                        double value) {
   put(used_ < cells_.size() ? name : name + part, unit, value);

@@ -1,5 +1,4 @@
-/// @file
-/// A line of a log: values beside their names and units, written as CSV or as JSON.
+/// A line of a log: values with names and units, as CSV or JSON.
 #pragma once
 
 #include <concepts>
@@ -10,22 +9,21 @@
 
 namespace example {
 
-/// Of the format on docs/guide/log.md.
+/// Version of the format in docs/guide/log.md.
 inline constexpr int log_version = 1;
 
-/// A column: "1" is the unit of a number without one, "" of a word.
+/// A column: unit "1" for a number without unit, "" for a word.
 struct column {
   std::string name, unit;
 };
 
-/// Filled in the same order for each line; the first one makes the columns. Numbers are written as the
-/// shortest text that reads back as the same number; what is not finite, and a word of no letter, is an empty
-/// cell.
+/// Fill it in the same order for each line; the first line defines the columns. Numbers are written as the
+/// shortest text that reads back exactly; numbers that are not finite, and empty words, give an empty cell.
 class log_row {
  public:
   /// Begins the next line.
   void start() { used_ = 0; }
-  /// From here on cells stay empty, or no longer.
+  /// Makes the following cells empty, or ends that.
   void blank(bool on) { blank_ = on; }
   void put(std::string_view name, std::string_view unit, double value);
   void put(std::string_view name, std::string_view unit, std::int64_t value);
@@ -37,7 +35,7 @@ class log_row {
     for (std::size_t i = 0; i < static_cast<std::size_t>(values.size()); ++i)
       put_part(name, std::to_string(i + 1), unit_of(i), static_cast<double>(values.data()[i]));
   }
-  /// Adds numbers that are all in one unit.
+  /// Adds numbers with one unit.
   template <class Values>
     requires requires(const Values& values) { values.data(), values.size(); }
   void put(const std::string& name, const char* unit, const Values& values) {
@@ -51,11 +49,11 @@ class log_row {
   }
 
   const std::vector<column>& columns() const { return columns_; }
-  /// The lines above the first one: version, units, names.
+  /// Lines above the first one: version, units, names.
   std::string header() const;
   /// The line with its end.
   const std::string& csv();
-  /// {"t":0.5,"q1":1.2,"state":"active"}: without the empty cells.
+  /// {"t":0.5,"q1":1.2,"state":"active"}, without empty cells.
   const std::string& json();
 
  private:

@@ -1,4 +1,3 @@
-/// @file
 /// The motion of a device in the columns of a log.
 #pragma once
 
@@ -19,17 +18,17 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// device_state of any device; NaN stands for an empty cell.
+/// device_state of any device; NaN for an empty cell.
 struct logged_motion {
   double time = 0;                       ///< [s]
-  ph::runtime::joint_numbers q, qd;      ///< n [rad or m] and rates of them.
+  ph::runtime::joint_numbers q, qd;      ///< n [rad or m] and rates.
   ph::runtime::task_numbers hand_force;  ///< d [N]
 };
 
-/// Where the numbers of a device stand in a log.
+/// Columns of a device in a log.
 class motion_columns {
  public:
-  /// Throws log_error if there is no t, q1 ..., qd1 ..., in the right units; nor Fh_x ..., unless that is
+  /// Throws log_error if t, q1 ..., qd1 ... are missing or in other units, or Fh_x ..., unless they are
   /// optional.
   motion_columns(const log_reader& log, const ph::runtime::device_sizes& device, bool needs_force)
       : log_(log), device_(device), time_(log.column("t", {"s"})) {
@@ -51,14 +50,14 @@ class motion_columns {
     return all;
   }
 
-  /// As many zeros as the device has numbers.
+  /// Zeros for each number of the device.
   logged_motion nothing() const {
     logged_motion m;
     m.q.count = m.qd.count = device_.dof;
     m.hand_force.count = device_.task_dimension;
     return m;
   }
-  /// That of this line.
+  /// Motion in this line.
   logged_motion motion() const {
     logged_motion m = nothing();
     m.time = log_.number(time_);
@@ -69,7 +68,7 @@ class motion_columns {
     return m;
   }
 
-  /// The commands in the log, if it has them.
+  /// Commands in the log, if it has them.
   std::optional<ph::runtime::joint_numbers> capacity() const {
     if (std::ssize(capacity_) != device_.brake_count) return std::nullopt;
     const auto all = numbers<ph::runtime::joint_numbers>(capacity_);

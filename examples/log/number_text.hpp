@@ -1,5 +1,4 @@
-/// @file
-/// Numbers as the shortest text that reads back as the same number, in no locale.
+/// Numbers as the shortest text that reads back exactly, independent of the locale.
 #pragma once
 
 #include <array>
@@ -10,7 +9,7 @@
 
 namespace example {
 
-/// Sets `text` to the shortest text that reads back as this number.
+/// Sets `text` to the shortest text of this number.
 template <class Number>
 void set_to_number(std::string& text, Number value) {
   std::array<char, 32> digits;

@@ -26,9 +26,8 @@ class run_columns {
         state_at_(log.find("state")),
         reason_at_(log.find("reason")) {}
 
-  // Reads the next line. True if the driver reset its controller before the cycle of this line, as it does
-  // when it rearms: the brakes are not released any more, or they were released again in the same cycle, for
-  // another reason. Without a rearm the first reason stays.
+  // Reads the next line. Returns true if the driver reset its controller before the cycle of this line by a
+  // rearm: the brakes are no longer released, or were released again in the same cycle for another reason.
   bool next_is_rearmed() {
     const bool was_released = state_ == released;
     const std::string reason = std::exchange(reason_, text(reason_at_));
@@ -36,7 +35,7 @@ class run_columns {
     return was_released && (state_ != released || reason_ != reason);
   }
 
-  // While the driver homes and tares, it does not call the law.
+  // The driver does not call the law during homing and taring.
   bool law_was_called() const { return !status_at_ || !text(status_at_).empty(); }
 
   // With these columns the output replays to the same decisions.
@@ -62,7 +61,7 @@ replay_summary replay(log_reader& log, std::ostream& out, ph::runtime::any_contr
   const motion_columns columns(log, control.sizes(), needs_force);
   run_columns run(log);
   const joint_kinds joints = columns.joints();
-  ph::runtime::cycle_record decision = control({});  // as many numbers as the device has
+  ph::runtime::cycle_record decision = control({});  // with the sizes of the device
   log_row row;
   const auto fill = [&](const logged_motion& state, bool was_asked) {
     row.start();

@@ -50,7 +50,7 @@ replay_options parse(int argc, char** argv) {
   return chosen;
 }
 
-// Half a second along the wall and a little in and out of it.
+// Half a second of motion along the wall, slightly in and out of it.
 std::string made_up_log() {
   const ph::tendon_two_link<double> arm;
   log_row row;
@@ -69,7 +69,7 @@ std::string made_up_log() {
   return log;
 }
 
-// What brake_driver reads besides.
+// Skips the other keys of brake_driver.
 void pass_over_driver(ph::runtime::toml_section& file) {
   for (const char* key : {"log", "encoders", "homing", "port", "loop", "safety", "simulation"})
     file.pass_over(key);
@@ -83,7 +83,7 @@ void pass_over_driver(ph::runtime::toml_section& file) {
   sensor.pass_over_others();
 }
 
-// The name of the device file; empty for the built-in device.
+// Name of the device file; empty for the built-in device.
 std::string device_file(const replay_options& chosen) {
   if (!chosen.config.empty() || chosen.log.empty()) return chosen.config;
   const std::string name = device_name(chosen.log);
@@ -106,7 +106,7 @@ std::unique_ptr<ph::runtime::any_controller> controller_from(const std::string& 
   return device.make_controller(all, *device.make_mechanism(all));
 }
 
-// Lines done, every two seconds.
+// Prints the number of lines every two seconds.
 std::function<void(std::size_t)> progress() {
   return [printed = std::chrono::steady_clock::now()](std::size_t lines) mutable {
     const auto now = std::chrono::steady_clock::now();

@@ -1,4 +1,3 @@
-/// @file
 /// Channels of a Comedi card, and transfers to several of them in one system call. Needs libcomedi.
 #pragma once
 
@@ -15,17 +14,16 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// A channel of a card with what turns volts into its samples. A counter has no volts: low = high = 0.
+/// A channel of a card and its scale. For a counter, without volts, low = high = 0.
 struct comedi_channel {
   unsigned subdevice = 0, channel = 0, range = 0;
   unsigned reference = AREF_GROUND;
-  lsampl_t max_sample = 0;      ///< The largest sample; the smallest is 0.
+  lsampl_t max_sample = 0;      ///< Maximum sample; the minimum is 0.
   lsampl_t zero = 0;            ///< The sample nearest to 0 V.
   double low = 0, high = 0;     ///< The range [V].
   double samples_per_volt = 0;  ///< [1/V]
 
-  /// The sample nearest to `volts`, at the end of the range if that is beyond; the one nearest to 0 V for 0
-  /// and NaN.
+  /// The sample nearest to `volts`, limited to the range; that nearest to 0 V for 0 and NaN.
   lsampl_t sample(double volts) const noexcept {
     if (!(volts < 0 || volts > 0)) return zero;
     if (volts <= low) return 0;
@@ -47,21 +45,21 @@ class comedi_transfer {
     instructions_[i] = {instruction, 1, nullptr, c.subdevice, chanspec(c), {}};
   }
 
-  /// ok if every channel was served; no_sample if the card was busy, or slow, and may be tried again.
+  /// ok if all channels were transferred; no_sample if the card was busy or slow, and may be tried again.
   ph::port_status run(comedi_t* handle) noexcept {
     if (handle == nullptr) return ph::port_status::failed;
     if (N == 0) return ph::port_status::ok;
-    for (std::size_t i = 0; i < count; ++i) instructions_[i].data = &samples[i];  // it may have moved
+    for (std::size_t i = 0; i < count; ++i) instructions_[i].data = &samples[i];  // may have moved
     comedi_insnlist list{static_cast<unsigned>(N), instructions_.data()};
     const int served = comedi_do_insnlist(handle, &list);
     if (served == N) return ph::port_status::ok;
-    if (served >= 0) return ph::port_status::failed;  // some channels only, and nobody says why
+    if (served >= 0) return ph::port_status::failed;  // some channels only, without an error
     const int error = comedi_errno();
     const bool later = error == EAGAIN || error == EINTR || error == EBUSY || error == ETIMEDOUT;
     return later ? ph::port_status::no_sample : ph::port_status::failed;
   }
 
-  /// This channel alone; false if it was not served.
+  /// Transfers this channel only; false if it failed.
   bool run_one(comedi_t* handle, std::size_t i) noexcept {
     instructions_[i].data = &samples[i];
     return handle != nullptr && comedi_do_insn(handle, &instructions_[i]) == 1;

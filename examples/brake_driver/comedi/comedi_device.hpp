@@ -1,5 +1,4 @@
-/// @file
-/// The handle of a Comedi card, and what the card says of itself. Needs libcomedi.
+/// The handle of a Comedi card, and its properties. Needs libcomedi.
 #pragma once
 
 #include <comedi/comedi_channel.hpp>
@@ -14,10 +13,10 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// The handle of a card. Closed by the destructor.
+/// The handle of a card, closed by the destructor.
 class comedi_device {
  public:
-  /// Empty, or why the card cannot be used and what to do. `file` is /dev/comedi0 or alike.
+  /// Returns an error with a remedy, or an empty string. `file` is, for example, /dev/comedi0.
   std::string open(const std::string& file) {
     file_ = file;
     handle_.reset(comedi_open(file.c_str()));
@@ -28,8 +27,8 @@ class comedi_device {
   /// Null if it is not open.
   comedi_t* get() const noexcept { return handle_.get(); }
 
-  /// Finds the subdevice of this type (COMEDI_SUBD_...): `index`, or the first one if that is -1. `name` is
-  /// of the parameter.
+  /// Finds the subdevice of this type (COMEDI_SUBD_...): `index`, or the first one for -1. `name`: parameter
+  /// in errors.
   std::string find(const std::string& name, int index, int type, unsigned& found) const {
     const int first = comedi_find_subdevice_by_type(get(), type, 0);
     const int wanted = index < 0 ? first : index;
@@ -49,7 +48,7 @@ class comedi_device {
     return text.str();
   }
 
-  /// Fills in the channel's largest sample; `name` is of the parameter that chose it.
+  /// Sets the channel's maximum sample; `name`: parameter in errors.
   std::string check_channel(const std::string& name, comedi_channel& c) const {
     const int count = comedi_get_n_channels(get(), c.subdevice);
     std::ostringstream text;
@@ -63,7 +62,7 @@ class comedi_device {
     return text.str();
   }
 
-  /// Fills in the channel's range in volts and all that follows; `name` is of the parameter that chose it.
+  /// Sets the channel's range in volts and derived values; `name`: parameter in errors.
   std::string check_range(const std::string& name, comedi_channel& c) const {
     const comedi_range* r = comedi_get_range(get(), c.subdevice, c.channel, c.range);
     std::ostringstream text;
@@ -80,7 +79,7 @@ class comedi_device {
     return "";
   }
 
-  /// ": 0 (-10 to 10 V), 1 (0 to 5 V)"
+  /// Text such as ": 0 (-10 to 10 V), 1 (0 to 5 V)".
   std::string ranges(const comedi_channel& c) const {
     const int count = comedi_get_n_ranges(get(), c.subdevice, c.channel);
     std::ostringstream text;

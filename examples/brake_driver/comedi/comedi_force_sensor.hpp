@@ -1,4 +1,3 @@
-/// @file
 /// A force sensor at analog inputs of a Comedi card. Needs libcomedi.
 #pragma once
 
@@ -15,8 +14,8 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// A ForceSensor that reports volts: newtons per volt are the calibration's. A channel at either end of its
-/// range is not valid. For a threaded_sensor: read is one system call that may wait, see comedi_port.
+/// A ForceSensor in volts; the calibration has newtons per volt. A channel at either end of its range is
+/// invalid. For a threaded_sensor: read is one system call that may wait, see comedi_port.
 template <int Channels>
 class comedi_force_sensor {
  public:
@@ -25,7 +24,7 @@ class comedi_force_sensor {
 
   explicit comedi_force_sensor(parameters p) : p_(std::move(p)) {}
 
-  /// Checks all that the card says against the parameters.
+  /// Checks the card against the parameters.
   std::string open() {
     std::string text = validate(p_);
     unsigned subdevice = 0;

@@ -1,5 +1,4 @@
-/// @file
-/// Which channels of a Comedi card do what. Needs no libcomedi.
+/// Assignment of the channels of a Comedi card. Does not need libcomedi.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -17,19 +16,18 @@ inline constexpr ph::range card_index = ph::range::at_least(0).as("an index >= 0
 inline constexpr ph::range index_or_any = ph::range::at_least(-1).as("an index, or -1");
 }  // namespace detail
 
-/// What an analog input is measured against.
+/// Reference of an analog input.
 enum class comedi_reference { ground, common, differential };
 
-/// An analog output, through a current amplifier to a brake.
+/// An analog output, connected to a brake by a current amplifier.
 struct comedi_brake {
   int channel = 0;
-  int range = 0;  ///< Index of one that holds 0 V and is in volts, as comedi_board_info -v lists them.
-  /// Of the amplifier [A/V]; there is no default.
+  int range = 0;  ///< Index of a range in volts that includes 0 V, as in comedi_board_info -v.
+  /// Gain of the amplifier [A/V]; no default.
   double amperes_per_volt = 0;
-  /// What the range must reach [A]: open() checks it. 0: whatever it reaches, currents beyond are clamped.
+  /// Current that the range must reach, checked by open() [A]; 0: any range, currents beyond are limited.
   double max_current = 0;
 
-  /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
     using p = comedi_brake;
     using ph::member;
@@ -43,21 +41,20 @@ struct comedi_brake {
   }
 };
 
-/// How open() sets up a counter.
+/// Set-up of a counter by open().
 enum class comedi_counter_setup {
-  keep,           ///< Not at all: the card always counts quadrature, or another program set it up.
-  ni_quadrature,  ///< Quadrature x4 as of National Instruments' counters, from the middle of the counter.
+  keep,           ///< None: the card always counts quadrature, or another program set it up.
+  ni_quadrature,  ///< Quadrature x4 for National Instruments' counters, from the middle of the counter.
 };
 
-/// A counter, at an encoder.
+/// A counter, connected to an encoder.
 struct comedi_encoder {
   int subdevice = -1;  ///< -1 for the first counter of the card.
-  int channel = 0;     ///< 0 of National Instruments' counters.
+  int channel = 0;     ///< 0 for National Instruments' counters.
   comedi_counter_setup setup = comedi_counter_setup::keep;
   int a = -1,
-      b = -1;  ///< ni_quadrature: the PFI terminals of the encoder's signals; -1 where the card fixes them.
+      b = -1;  ///< ni_quadrature: PFI terminals of the signals; -1 if fixed by the card.
 
-  /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
     using p = comedi_encoder;
     using ph::member;
@@ -71,7 +68,6 @@ struct comedi_encoder {
 
 namespace detail {
 
-/// Channels 0, 1, 2...
 template <class Line, std::size_t Count>
 constexpr std::array<Line, Count> lines_in_turn() {
   std::array<Line, Count> all{};
@@ -83,7 +79,7 @@ inline std::string check_device_file(const std::string& device) {
   return device.empty() ? "device is empty, expected a file like /dev/comedi0" : "";
 }
 
-/// Whether a line is one of those before: `same(line, other)`.
+/// Error text if a line equals a previous one: `same(line, other)`.
 template <class Lines, class Same>
 std::string check_distinct(const char* name, const Lines& lines, Same same) {
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -97,7 +93,7 @@ std::string check_distinct(const char* name, const Lines& lines, Same same) {
 
 }  // namespace detail
 
-/// The channels of a comedi_port.
+/// Channels of a comedi_port.
 template <int Encoders, int Brakes>
 struct comedi_port_parameters {
   std::string device = "/dev/comedi0";
@@ -106,11 +102,10 @@ struct comedi_port_parameters {
       detail::lines_in_turn<comedi_brake, static_cast<std::size_t>(Brakes)>();
   std::array<comedi_encoder, static_cast<std::size_t>(Encoders)> encoders =
       detail::lines_in_turn<comedi_encoder, static_cast<std::size_t>(Encoders)>();
-  /// False: open() leaves every counter as it is. For a supervisor, which must not restart what the loop
-  /// reads.
+  /// False: open() leaves the counters as they are. For a supervisor, which must not restart the loop's
+  /// counters.
   bool start_counters = true;
 
-  /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
     using p = comedi_port_parameters;
     using ph::member;
@@ -118,7 +113,7 @@ struct comedi_port_parameters {
                             member("output_subdevice", &p::output_subdevice, "", detail::index_or_any),
                             member("brakes", &p::brakes), member("encoders", &p::encoders));
   }
-  /// It has a device, and each channel one use, whatever the card.
+  /// Requires a device, and one use per channel.
   std::string rules() const {
     return ph::detail::first_error(
         detail::check_device_file(device),
@@ -130,16 +125,15 @@ struct comedi_port_parameters {
   }
 };
 
-/// The channels of a comedi_force_sensor.
+/// Channels of a comedi_force_sensor.
 template <int Channels>
 struct comedi_force_sensor_parameters {
   std::string device = "/dev/comedi0";
   int subdevice = -1;  ///< -1 for the first analog input of the card.
   std::array<int, static_cast<std::size_t>(Channels)> channels = in_turn();
-  int range = 0;  ///< Index, of all channels; in volts.
+  int range = 0;  ///< Index of the range in volts, for all channels.
   comedi_reference reference = comedi_reference::ground;
 
-  /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
     using p = comedi_force_sensor_parameters;
     using ph::member;
@@ -149,7 +143,7 @@ struct comedi_force_sensor_parameters {
                             member("range", &p::range, "", detail::card_index),
                             ph::choice("reference", &p::reference, "ground, common, differential"));
   }
-  /// It has a device.
+  /// Requires a device.
   std::string rules() const { return detail::check_device_file(device); }
 
   static constexpr auto in_turn() {

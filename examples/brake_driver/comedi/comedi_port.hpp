@@ -1,4 +1,3 @@
-/// @file
 /// Brakes at analog outputs and encoders at counters of a Comedi card. Needs libcomedi.
 #pragma once
 
@@ -17,14 +16,13 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// A BrakePort: each brake's current as a voltage to its amplifier, each encoder's counts as the counter
-/// reports them.
+/// A BrakePort with currents as voltages to amplifiers, and encoder counts as reported by counters.
 ///
-/// A counter wraps after 2^counter_bits() counts, which the reader undoes (safe_port).
-/// For a threaded_port: read and write are one system call each (ioctl), which waits for the card's driver,
-/// microseconds on PCI, up to milliseconds on USB, a second where a card does not respond, and for a release
-/// by the supervisor. The loop cannot wait for it, as it touches memory alone. An analog output keeps its
-/// voltage when the program dies: run a supervisor.
+/// A counter wraps after 2^counter_bits() counts; safe_port unwraps it.
+/// For a threaded_port: read and write are one system call each (ioctl), which waits for the card's driver:
+/// microseconds on PCI, up to milliseconds on USB, a second if a card does not respond. The loop only
+/// accesses memory and does not wait. An analog output keeps its voltage when the program dies: run a
+/// supervisor.
 template <int Encoders, int Brakes>
 class comedi_port {
  public:
@@ -35,7 +33,7 @@ class comedi_port {
   comedi_port(comedi_port&&) noexcept = default;
   ~comedi_port() { release(); }
 
-  /// Checks all that the card says against the parameters, puts 0 V to all brakes and starts the counters.
+  /// Checks the card against the parameters, sets all brakes to 0 V and starts the counters.
   std::string open() {
     std::string text = validate(p_);
     if (text.empty()) text = device_.open(p_.device);
@@ -43,11 +41,11 @@ class comedi_port {
     if (text.empty()) text = find_counters();
     if (text.empty() && write({}) != ph::port_status::ok) {
       text = p_.device + " refuses 0 V: " + comedi_strerror(comedi_errno());
-      release();  // the outputs that do not refuse
+      release();  // for outputs that still accept it
     }
     for (std::size_t i = 0; i < counters_.size() && p_.start_counters && text.empty(); ++i)
       text = start_counter(i);
-    if (!text.empty()) device_.close();  // then release() touches no channel that was not checked
+    if (!text.empty()) device_.close();  // release() then accesses no unchecked channel
     return text;
   }
 
@@ -55,7 +53,7 @@ class comedi_port {
   ph::port_status read(ph::port_sample<Encoders>& sample) noexcept {
     if (const ph::port_status status = counts_.run(device_.get()); status != ph::port_status::ok)
       return status;
-    sample.time = ph::monotonic_seconds();  // after the transfer, so that no pause hides in it
+    sample.time = ph::monotonic_seconds();  // after the transfer, so that a pause in it is detected
     sample.sequence = ++sequence_;
     for (std::size_t i = 0; i < counters_.size(); ++i) {
       sample.value[i] = counts_.samples[i];
@@ -64,8 +62,7 @@ class comedi_port {
     return ph::port_status::ok;
   }
 
-  /// To the nearest sample within the range. Anything but ok: some brakes may have got their current, others
-  /// not.
+  /// Rounds to the nearest sample in the range. Unless ok, only some brakes may have received their currents.
   ph::port_status write(const ph::brake_currents<Brakes>& currents) noexcept {
     for (std::size_t i = 0; i < outputs_.size(); ++i)
       voltages_.samples[i] = outputs_[i].sample(currents[i] / p_.brakes[i].amperes_per_volt);
@@ -73,7 +70,7 @@ class comedi_port {
                                                                : ph::port_status::failed;
   }
 
-  /// 0 V to each brake by itself, so that one that fails keeps no other.
+  /// Sets 0 V brake by brake, so that a failure affects no other.
   void release() noexcept {
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
       voltages_.samples[i] = outputs_[i].zero;
@@ -81,7 +78,7 @@ class comedi_port {
     }
   }
 
-  /// Width of the counters, the same of all; 0 without encoders and before open().
+  /// Width of the counters, equal for all; 0 without encoders and before open().
   int counter_bits() const noexcept {
     return Encoders == 0 ? 0 : static_cast<int>(std::bit_width(counters_.front().max_sample));
   }
@@ -144,14 +141,14 @@ class comedi_port {
     return text.str();
   }
 
-  // As libcomedi's demo gpct_encoder does.
+  // As the demo gpct_encoder of libcomedi.
   std::string start_counter(std::size_t i) {
     const comedi_encoder& e = p_.encoders[i];
     if (e.setup == comedi_counter_setup::keep) return "";
     comedi_t* const card = device_.get();
     const unsigned s = counters_[i].subdevice, middle = counters_[i].max_sample / 2 + 1;
     bool done = comedi_reset(card, s) >= 0;
-    // The counter itself and the two registers that it is loaded from
+    // The counter and its two load registers
     for (unsigned place = 0; place < 3; ++place)
       done = done && comedi_data_write(card, s, place, 0, 0, middle) == 1;
     done = done && comedi_set_gate_source(card, s, 0, 0, NI_GPCT_DISABLED_GATE_SELECT) >= 0;

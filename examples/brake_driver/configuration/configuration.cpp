@@ -18,7 +18,7 @@ namespace {
 
 using ph::runtime::toml_section;
 
-// Keys that have other names than the members that they set.
+// Keys with other names than the members.
 const std::map<std::string_view, std::string_view> keys{{"continuous", "continuous_current"},
                                                         {"max_current", "current_limit"}};
 
@@ -27,13 +27,13 @@ void check(const toml_section& from, const Parameters& p) {
   from.check(p, keys);
 }
 
-// What a constructor of the library throws begins with its name.
+// Error text without the library's name.
 std::string without_library(const std::string& text) {
   constexpr std::string_view library = "passive_haptics: ";
   return text.starts_with(library) ? text.substr(library.size()) : text;
 }
 
-// A question after the side on which a wall of such a shape is free.
+// A question about the free side of a wall with this shape.
 std::string free_side(ph::runtime::any_parameters shape) {
   for (const auto& f : shape.fields()) {
     const std::string_view key = f.about.name;
@@ -52,7 +52,7 @@ std::vector<named_wall> walls_of(const ph::runtime::device_description& device) 
     if (type == "mesh_surface") type = "mesh_solid";
     try {
       ph::runtime::any_shape<D> shape = *ph::runtime::make_shape<D>(catalogue(), wall, 0);
-      if (wall.motion)  // grown by how far it moves: outside of it is outside at any time
+      if (wall.motion)  // grown by its motion, so that its outside is always outside
         shape = ph::runtime::any_shape<D>(
             ph::offset(shape, wall.motion->as<ph::runtime::wall_motion<D>>().amplitude.norm()));
       made.shape = std::move(shape);
@@ -62,13 +62,13 @@ std::vector<named_wall> walls_of(const ph::runtime::device_description& device) 
   return all;
 }
 
-// A key with a number for each of the first ones of these values, or one for all.
+// Reads a key with a number for each of the first values, or one for all.
 template <class Values>
 void read_first(toml_section& from, std::string_view key, Values& values, int count) {
   from.read(key, values.data(), static_cast<std::size_t>(count));
 }
 
-// The limits of the brakes follow from the curves, unless the file has its own.
+// Limits of the brakes follow from the curves, unless the file has them.
 void read_curves(toml_section from, configuration& c, ph::runtime::brake_numbers& brakes) {
   const int count = c.mechanism.brakes();
   std::array<double, max_axes> residual{}, slope, limit, hysteresis{}, loss{};
@@ -136,7 +136,7 @@ void read_encoders(toml_section from, configuration& c) {
 
 void read_homing(toml_section from, configuration& c) {
   const int count = c.mechanism.joints();
-  // In front of the wall that there is without [[walls]] [m]
+  // In front of the default wall [m]
   const std::vector<double> usual =
       c.mechanism.dimension() == 2 ? std::vector{0.08, 0.2245} : std::vector{0.0, 0.0, -0.1495};
   if (const auto q = c.mechanism.of().inverse(usual); q.count == count) c.home = filled_up<axis_numbers>(q);
@@ -152,7 +152,7 @@ void read_homing(toml_section from, configuration& c) {
   from.require(home_error(c));
 }
 
-// How the sensor turns: with the last link of a serial chain.
+// Orientation of the sensor: rotates with the last link of a serial chain.
 void read_sensor_frame(toml_section& from, configuration& c) {
   if (c.mechanism.dimension() == 3) return;
   const joint_motion joints(c.mechanism);
@@ -173,7 +173,7 @@ void read_sensor_frame(toml_section& from, configuration& c) {
   check(from, c.sensor_link);
 }
 
-// A channel that the sensor lacks has no range.
+// Channels that the sensor lacks have no range.
 void read_range_of_values(toml_section& from, configuration& c) {
   auto& range = c.safety.sensor.range;
   if (c.sensor == "comedi") read_first(from, "range_of_values", range, c.mechanism.dimension());
@@ -181,7 +181,7 @@ void read_range_of_values(toml_section& from, configuration& c) {
   check(from, c.safety.sensor);
 }
 
-// In space of a platform that only translates.
+// Spatial platforms only translate.
 bool has_orientation(const configuration& c) {
   return c.mechanism.dimension() == 2 || !c.mechanism.of().handle_rotates();
 }
@@ -205,7 +205,7 @@ void read_sensor(toml_section from, configuration& c) {
     c.tare = false;
     return;
   }
-  // Of the first channels; by default the channels are the components
+  // Rows for the first channels; by default the channels are the components
   constexpr std::array rows{"x_newtons_per_unit", "y_newtons_per_unit", "z_newtons_per_unit"};
   const auto size = static_cast<std::size_t>(dimension);
   for (std::size_t i = 0; i < size; ++i) {
@@ -281,7 +281,7 @@ void read_simulation(toml_section from, configuration& c) {
   from.read_all(c.simulation);
 }
 
-// Empty if it has inertia
+// Error text for mechanisms without inertia
 std::string without_inertia(const configuration& c) {
   if (c.mechanism.of().has_inertia()) return "";
   return "[mechanism] type = \"" + c.device.mechanism.name +
@@ -314,8 +314,7 @@ void read_safety(toml_section from, configuration& c) {
 configuration read_configuration(const std::string& path) {
   toml_section file = path.empty() ? toml_section::nothing() : toml_section::file(path);
   configuration c;
-  if (path.empty())
-    c.safety.hold_over = c.supervisor.timeout = 0.2;  // simulated, on a desktop that may be late
+  if (path.empty()) c.safety.hold_over = c.supervisor.timeout = 0.2;  // simulated, on a desktop with delays
   ph::runtime::device_reader reader(file, catalogue());
   reader.read_mechanism();
   c.mechanism = driven_mechanism(reader.device.make_mechanism(catalogue()));
@@ -325,7 +324,7 @@ configuration read_configuration(const std::string& path) {
   read_encoders(file.section("encoders"), c);
   ph::runtime::brake_numbers& brakes = reader.device.brakes =
       ph::runtime::brake_numbers(c.mechanism.brakes());
-  // The slowest rate that the encoders distinguish from rest, unless the file has its own
+  // Minimum rate that the encoders distinguish from rest, unless the file has it
   const axis_numbers resolution = ph::encoder_calibration<max_axes>(c.encoders).resolution();
   for (int i = 0; i < c.mechanism.brakes() && i < c.mechanism.encoders(); ++i)
     brakes.rate_dead_band[static_cast<std::size_t>(i)] =

@@ -8,11 +8,11 @@
 namespace example {
 namespace {
 
-constexpr double min_remarked = 5e-5;  // [m], half of the last digit that is printed
+constexpr double min_remarked = 5e-5;  // [m], half of the last printed digit
 
 spatial home_position(const configuration& c) { return c.mechanism.handle(c.home); }
 
-// The first ones: "(0.0800, 0.2245)"
+// The first numbers as "(0.0800, 0.2245)".
 template <class Numbers>
 std::string numbers_in_words(const char* format, const Numbers& v, int count) {
   std::string all;
@@ -31,7 +31,7 @@ std::string millimetres(double metres) {
   return text.data();
 }
 
-// A word for joints that rotate, one for slides, or both in their order.
+// The word for rotating or sliding joints, or both in their order.
 std::string for_joints(const configuration& c, const std::string& rotating, const std::string& sliding) {
   const joint_motion joints(c.mechanism);
   if (joints.all(false)) return rotating;
@@ -49,7 +49,7 @@ std::string pose_in_words(const configuration& c) {
          numbers_in_words("%.4f", home_position(c), c.mechanism.dimension()) + " m";
 }
 
-// No joint that turns starts beyond a turn: a turn less is the same place.
+// Rotating joints do not start beyond a full turn.
 bool looks_like_degrees(const configuration& c) {
   const joint_motion joints(c.mechanism);
   for (int i = 0; i < joints.joints; ++i)

@@ -1,5 +1,4 @@
-/// @file
-/// Where the handle is when the brakes come on: its depth in each wall.
+/// Depth of the handle in each wall when the brakes are activated.
 #pragma once
 
 #include <configuration/configuration.hpp>
@@ -9,26 +8,26 @@
 
 namespace example {
 
-/// A wall, as the file numbers it, and how deep a point is in it.
+/// A wall by its number in the file, and the depth of a point in it.
 struct wall_depth {
   int number = 0;    ///< From 1; 0 for none.
-  double depth = 0;  ///< < 0 in front of it, NaN where the point is not known [m].
+  double depth = 0;  ///< < 0 in front of the wall, NaN for an unknown point [m].
 
-  /// Whether brakes must not come on here; largest: the max_start_depth [m].
+  /// True if brakes must not be activated; largest: max_start_depth [m].
   bool is_over(double largest) const noexcept { return number > 0 && !(depth <= largest); }
 };
 
-/// The wall in which a point [m] is deepest; the nearest one in front of all of them.
+/// The wall with the maximum depth of a point [m]; the nearest one if it is in front of all.
 wall_depth deepest_wall(const std::vector<named_wall>& walls, const spatial& x) noexcept;
 
-/// A line for the home pose and one for each wall, as "wall 1 (half_space): 0.5 mm in front of it".
+/// One line for the home pose and for each wall, as "wall 1 (half_space): 0.5 mm in front of it".
 std::string home_in_words(const configuration& c);
 
-/// What is wrong with the home pose, and the likely cause: deeper in a wall than brakes may come on, nowhere,
-/// or an angle beyond a turn. Empty if nothing.
+/// Error text of the home pose with its likely cause: too deep in a wall, undefined, or an angle beyond a
+/// full turn. Empty if there is none.
 std::string home_error(const configuration& c);
 
-/// Why brakes do not come on at this depth.
+/// Text of the reason why brakes are not activated at this depth.
 std::string not_activated_in_words(const wall_depth& deepest);
 
 }  // namespace example

@@ -1,6 +1,4 @@
-/// @file
-/// A mechanism of the catalogue as this program drives it: with up to eight encoders and brakes, in the plane
-/// or in space.
+/// A mechanism of the catalogue for this program: planar or spatial, with up to eight encoders and brakes.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -18,14 +16,14 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// Encoders, joints and brakes of a device, at most.
+/// Maximum number of encoders, joints and brakes.
 inline constexpr int max_axes = ph::runtime::max_joints;
-/// A number for each of them; 0 where the device has fewer.
+/// One number each, 0 if the device has fewer.
 using axis_numbers = ph::vector<double, max_axes>;
-/// A place or a force; z = 0 in the plane.
+/// A position or a force; z = 0 for planar devices.
 using spatial = ph::vector<double, 3>;
 
-/// Numbers of a device, with zeros for those that it lacks.
+/// Numbers of a device, padded with zeros.
 template <class Numbers>
 Numbers filled_up(std::span<const double> given) {
   Numbers all = Numbers::Zero();
@@ -33,15 +31,13 @@ Numbers filled_up(std::span<const double> given) {
   return all;
 }
 
-/// A mechanism for device_calibration: its joints there are the axes of its encoders.
+/// A mechanism for device_calibration, with the encoder axes as joints.
 class driven_mechanism {
  public:
   using scalar = double;
   static constexpr int dof = max_axes, task_dimension = 3, brake_count = max_axes;
 
-  /// Holds none.
   driven_mechanism() = default;
-  /// Holds this one.
   explicit driven_mechanism(std::shared_ptr<const ph::runtime::any_mechanism> of)
       : sizes_(of->sizes()), encoders_(of->encoders().count), of_(std::move(of)) {
     const auto maps = of_->encoders();
@@ -58,15 +54,15 @@ class driven_mechanism {
   int brakes() const { return sizes_.brake_count; }
   int encoders() const { return encoders_; }
 
-  /// The handle [m] where the axes of the encoders [rad or m] are so.
+  /// Handle [m] at these encoder axes [rad or m].
   spatial position(const axis_numbers& axes) const { return handle(joint_positions(axes)); }
-  /// The handle [m] of joint positions [rad or m].
+  /// Handle [m] at these joint positions [rad or m].
   spatial handle(const axis_numbers& q) const {
     return filled_up<spatial>(of_->position({q.data(), static_cast<std::size_t>(joints())}));
   }
-  /// Joint positions or rates of those of the axes.
+  /// Joint positions or rates from those of the axes.
   axis_numbers joint_positions(const axis_numbers& axes) const { return to_joints_ * axes; }
-  /// Axis positions or rates of those of the joints.
+  /// Axis positions or rates from those of the joints.
   axis_numbers axis_positions(const axis_numbers& q) const { return to_axes_ * q; }
 
  private:
@@ -82,22 +78,22 @@ class driven_mechanism {
   std::shared_ptr<const ph::runtime::any_mechanism> of_;
 };
 
-/// Rotating and sliding joints of a mechanism, found by its motion: a turn ends where it began.
+/// Rotating and sliding joints of a mechanism, detected by its motion: a full turn has no effect.
 struct joint_motion {
-  int joints = 0;                            ///< How many there are.
-  std::array<bool, max_axes> slides{};       ///< Of each joint.
-  std::array<bool, max_axes> axis_slides{};  ///< Of the axis of each encoder.
-  /// In the plane: the first joint rotates nothing or the whole mechanism, as that of a serial chain does, so
-  /// that the last link rotates by the sum of the angles.
+  int joints = 0;                            ///< Number of joints.
+  std::array<bool, max_axes> slides{};       ///< By joint.
+  std::array<bool, max_axes> axis_slides{};  ///< By encoder axis.
+  /// Planar: the first joint rotates nothing or the whole mechanism, as in a serial chain, so that the last
+  /// link rotates by the sum of the angles.
   bool angles_add_up = true;
 
-  /// Moves this mechanism.
+  /// Examines this mechanism.
   explicit joint_motion(const driven_mechanism& of) : joints(of.joints()) {
     using std::numbers::pi;
     axis_numbers somewhere = axis_numbers::Zero();
     for (int i = 0; i < joints; ++i) somewhere[i] = i % 2 == 0 ? 1.9 : 1.2;
     const auto is_far = [](const spatial& a, const spatial& b) {
-      return (a - b).norm() > 1e-6;  // no for NaN
+      return (a - b).norm() > 1e-6;  // false for NaN
     };
     for (int i = 0; i < joints; ++i) {
       const axis_numbers turned = somewhere + 2 * pi * axis_numbers::Unit(i);
@@ -119,7 +115,7 @@ struct joint_motion {
     angles_add_up = (jacobian(somewhere + pi / 6 * axis_numbers::UnitX()) - rotated).norm() < 1e-6;
   }
 
-  /// True if all joints slide, or, by `false`, if all rotate.
+  /// True if all joints slide; all(false): if all rotate.
   bool all(bool slide) const { return std::count(slides.begin(), slides.begin() + joints, slide) == joints; }
 };
 

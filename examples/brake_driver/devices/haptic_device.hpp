@@ -1,5 +1,4 @@
-/// @file
-/// What a session needs of a device: any mechanism under any law.
+/// The device of a session: any mechanism under any law.
 #pragma once
 
 #include <configuration/configuration.hpp>
@@ -16,8 +15,8 @@ namespace example {
 
 /// The last good samples of encoders and force sensor.
 struct samples {
-  double now = 0;   ///< [s], since the loop began.
-  double time = 0;  ///< When the encoders were read [s].
+  double now = 0;   ///< [s], since the start of the loop.
+  double time = 0;  ///< Sampling time of the encoders [s].
   std::array<double, max_axes> counts{};
   std::array<double, sensor_channels> readings{};
 };
@@ -25,29 +24,28 @@ struct samples {
 /// A mechanism with its calibration, walls and law.
 class haptic_device {
  public:
-  /// The device of a configuration. Throws std::invalid_argument with what is wrong.
+  /// The device of a configuration. Throws std::invalid_argument.
   explicit haptic_device(const configuration& c);
 
-  /// Port and sensor of its simulation.
+  /// Port of its simulation; the sensor below.
   any_brake_port simulated_port();
   any_force_sensor simulated_sensor();
 
-  /// One more cycle at rest, of homing, then of taring; what is to be done next.
+  /// One more cycle of homing or taring at rest; returns the next phase.
   phase prepare(const samples& now) noexcept;
-  /// What kept homing or taring from its end so far, in words.
+  /// Text of what has prevented homing or taring from finishing.
   std::string hindrance() const;
-  /// The wall in which the handle is deepest now; once it is homed.
+  /// The wall in which the handle is deepest; requires homing.
   wall_depth deepest_wall(const samples& now) const noexcept;
-  /// A record without a motion and a decision.
+  /// A record without motion and decision.
   record blank_record() const noexcept { return record(configuration_.mechanism.sizes()); }
-  /// One cycle with walls, or without where it is not `running` yet: currents [A], and what is to be written
-  /// down, in a blank record.
+  /// One cycle with walls, or without before `running`: returns the currents [A] and fills a blank record.
   ph::brake_currents<max_axes> cycle(const samples& now, phase doing, record& r) noexcept;
   /// Forgets the motion so far.
   void reset() noexcept { control_->reset(); }
 
  private:
-  // Remembers what began it anew
+  // Stores the reason for a restart
   bool is_done(ph::steady_status now) noexcept {
     if (now != ph::steady_status::collecting) hindered_ = now;
     return now == ph::steady_status::done;
@@ -58,7 +56,7 @@ class haptic_device {
   std::unique_ptr<ph::runtime::any_controller> control_;
   ph::homing<max_axes> homing_;
   ph::steady_mean<sensor_channels> tare_;
-  ph::steady_status hindered_ = ph::steady_status::collecting;  // the last that was not this
+  ph::steady_status hindered_ = ph::steady_status::collecting;  // the last other status
   phase doing_ = phase::homing;
   std::shared_ptr<simulation> plant_;
 };

@@ -1,5 +1,4 @@
-/// @file
-/// What the firmware does, whatever the board: currents in, samples out, and 0 A when the host falls silent.
+/// Board-independent firmware: currents in, samples out, and 0 A if the host is silent.
 #pragma once
 
 #include <serial/serial_protocol.hpp>
@@ -10,13 +9,12 @@ namespace firmware {
 
 namespace serial = example::serial;
 
-/// What a board gives the controller:
+/// Functions of a board:
 ///
-///     void set_current(std::size_t brake, std::uint16_t current);  // [serial::current_unit], takes effect
-///     at once std::int32_t read_encoder(std::size_t encoder);              // counts modulo 2^32
+///     void set_current(std::size_t brake, std::uint16_t current);  // [serial::current_unit], immediately
+///     std::int32_t read_encoder(std::size_t encoder);              // counts modulo 2^32
 ///     std::uint8_t encoder_faults(), brake_faults();               // bit i: channel i
-///     void send(std::span<const std::uint8_t>);                    // a whole frame, or drops all of it;
-///     returns at once
+///     void send(std::span<const std::uint8_t>);                    // a frame or nothing; does not wait
 template <class B>
 concept Board = requires(B board, std::size_t i, std::uint16_t current, std::span<const std::uint8_t> bytes) {
   board.set_current(i, current);
@@ -26,38 +24,38 @@ concept Board = requires(B board, std::size_t i, std::uint16_t current, std::spa
   board.send(bytes);
 };
 
-/// What the board is built for; the host learns it from the hello.
+/// Properties of the board, sent to the host in the hello.
 struct settings {
   std::uint8_t encoders = 2;           ///< At most serial::max_channels.
   std::uint8_t brakes = 2;             ///< At most serial::max_channels.
   std::uint16_t current_limit = 5000;  ///< [serial::current_unit]: 0.5 A.
   std::uint16_t watchdog = 20;         ///< [ms]
-  std::uint16_t period = 1000;         ///< Of tick() [us].
+  std::uint16_t period = 1000;         ///< Period of tick() [us].
 };
 
 /// The states of the brakes.
 enum class state : std::uint8_t {
-  released,  ///< 0 A; at the start, and after a release. Currents bring it to active.
-  active,    ///< The currents of the host. Without any for the watchdog's time: tripped.
-  tripped,   ///< 0 A; currents are ignored. A release brings it to released.
+  released,  ///< 0 A; at the start, and after a release. Currents switch to active.
+  active,    ///< Currents of the host. Without any for the watchdog's time: tripped.
+  tripped,   ///< 0 A; currents are ignored. A release switches to released.
 };
 
-/// A brake controller on a board. Whole packets only count, and of them currents for this number of brakes;
-/// what is silent, noise or cut off does not feed the watchdog. No current ever leaves it above the limit.
+/// A brake controller on a board. Only complete packets count, and currents only for this number of brakes;
+/// silence, noise or incomplete packets do not feed the watchdog. Currents never exceed the limit.
 template <Board B>
 class brake_controller {
  public:
-  /// Sets 0 A. The board must live as long.
+  /// Sets 0 A. The board must live longer.
   brake_controller(B& board, const settings& s) : board_(board), settings_(s) { enter(state::released); }
 
-  /// A byte came in, at this time [us, modulo 2^32].
+  /// Processes a byte received at this time [us, modulo 2^32].
   void receive(std::uint8_t byte, std::uint32_t now) {
-    check_watchdog(now);  // before the byte: currents that come too late find the brakes tripped
+    check_watchdog(now);  // first: late currents find the brakes tripped
     if (decoder_.take(byte) == serial::outcome::packet) obey(decoder_.last(), now);
   }
 
-  /// Once a period, at this time [us, modulo 2^32]: the watchdog, and a sample for the host. Silence ends in
-  /// 0 A within watchdog + period.
+  /// Call it once per period with the time [us, modulo 2^32]: checks the watchdog and sends a sample. Silence
+  /// gives 0 A within watchdog + period.
   void tick(std::uint32_t now) {
     check_watchdog(now);
     serial::sample m;
@@ -72,7 +70,6 @@ class brake_controller {
     send(serial::pack(samples_++, m));
   }
 
-  /// Where the brakes are.
   state now_in() const { return state_; }
 
  private:
@@ -81,7 +78,7 @@ class brake_controller {
   serial::decoder decoder_;
   state state_ = state::released;
   bool limited_ = false;
-  std::uint32_t fed_ = 0;  // when the last currents came [us]
+  std::uint32_t fed_ = 0;  // time of the last currents [us]
   std::uint32_t samples_ = 0, hellos_ = 0;
 
   void enter(state s) {

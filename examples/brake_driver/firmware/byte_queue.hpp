@@ -1,5 +1,4 @@
-/// @file
-/// Bytes from an interrupt to the loop, or back.
+/// Byte queue between an interrupt and the loop.
 #pragma once
 
 #include <array>
@@ -8,7 +7,7 @@
 
 namespace firmware {
 
-/// Without a lock: one side writes, one reads.
+/// Lock-free: one writer, one reader.
 template <std::uint32_t Size>
 class byte_queue {
  public:

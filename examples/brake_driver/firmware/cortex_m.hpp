@@ -1,5 +1,4 @@
-/// @file
-/// What all Cortex-M cores have: a millisecond, interrupts, sleep (ARMv7-M Architecture Reference Manual).
+/// Common to all Cortex-M cores: milliseconds, interrupts, sleep (ARMv7-M Architecture Reference Manual).
 #pragma once
 
 #include <atomic>
@@ -25,20 +24,20 @@ inline systick_block& systick() { return at<systick_block>(0xE000'E010); }
 inline nvic_block& nvic() { return at<nvic_block>(0xE000'E100); }
 
 inline void enable_interrupt(int line) { nvic().iser[line / 32] = 1u << line % 32; }
-/// As if it had come.
+/// Sets the interrupt pending.
 inline void raise_interrupt(int line) { nvic().ispr[line / 32] = 1u << line % 32; }
 
 /// Since start_milliseconds(), modulo 2^32.
 inline constinit std::atomic<std::uint32_t> milliseconds{0};
 
-/// clock: of the core [Hz].
+/// clock: core clock [Hz].
 inline void start_milliseconds(std::uint32_t clock) {
   systick().load = clock / 1000 - 1;
   systick().val = 0;
   systick().ctrl = 7;
 }
 
-/// Sleeps until an interrupt unless idle() is false; one that comes in between still wakes it.
+/// Sleeps until an interrupt unless idle() is false; an interrupt in between still wakes it.
 template <class Idle>
 void sleep_if(Idle&& idle) {
   asm volatile("cpsid i" ::: "memory");
@@ -46,7 +45,7 @@ void sleep_if(Idle&& idle) {
   asm volatile("cpsie i" ::: "memory");
 }
 
-/// A handler and the number of its line.
+/// A handler and its interrupt line.
 struct interrupt {
   int line;
   void (*handler)();

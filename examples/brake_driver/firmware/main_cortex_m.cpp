@@ -1,4 +1,4 @@
-// The firmware on a Cortex-M: a board's folder, named to the compiler by -I, has the rest in board.hpp and
+// The firmware on a Cortex-M. A board's directory, given to the compiler by -I, contains board.hpp and
 // board.cpp.
 #include <board.hpp>
 #include <firmware/brake_controller.hpp>

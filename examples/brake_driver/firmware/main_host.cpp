@@ -1,8 +1,8 @@
-// The firmware as a process: a device on a pseudo-terminal, to try the driver and to test it.
+// The firmware as a process: a device on a pseudo-terminal, for trying and testing the driver.
 //
 //   brake_firmware_host [--encoders N] [--brakes N] [--watchdog MS] [--period US] [--link FILE]
 //
-// Prints the file that a host opens, also reached as FILE, and runs until SIGINT or SIGTERM.
+// Prints the file for the host, also linked as FILE, and runs until SIGINT or SIGTERM.
 #include <firmware/brake_controller.hpp>
 #include <firmware/host_board.hpp>
 
@@ -35,8 +35,8 @@ void run(firmware::pseudo_terminal& line, const firmware::settings& settings) {
   std::array<std::uint8_t, 8192> bytes;
   for (std::int64_t next = start + period; ended == 0;) {
     clock.sleep_until(next);
-    // A process is kept waiting as no microcontroller is: it lives through each period that it missed, and
-    // what has come meanwhile came evenly.
+    // A process may be delayed, unlike a microcontroller: it executes each missed period, and distributes the
+    // received bytes evenly.
     const auto periods = static_cast<std::size_t>(1 + (clock.now() - next) / period);
     const std::size_t all = line.read(bytes);
     for (std::size_t i = 0; i < periods; ++i, next += period) {
@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
   if (link != nullptr && symlink(line.path().c_str(), link) != 0) return std::perror(link), 1;
   std::signal(SIGINT, end);
   std::signal(SIGTERM, end);
-  std::signal(SIGPIPE, SIG_IGN);  // stdout may be a pipe that nobody reads
+  std::signal(SIGPIPE, SIG_IGN);  // stdout may be a pipe without a reader
   std::printf("%s\n", line.path().c_str());
   std::fflush(stdout);
   run(line, settings);

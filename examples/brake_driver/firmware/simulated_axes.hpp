@@ -1,5 +1,4 @@
-/// @file
-/// Encoders and brakes of a board that has none.
+/// Encoders and brakes for a board without them.
 #pragma once
 
 #include <serial/serial_protocol.hpp>
@@ -12,15 +11,15 @@
 
 namespace firmware {
 
-/// Brakes that take their current at once, and encoders on axes that a hand turns to and fro, the slower the
-/// more its brake resists; where that held it up, it comes back to its path. Then it rests for a while, so
-/// that a host finds the home pose.
+/// Brakes without lag, and encoders on axes that a hand moves back and forth, slower the more its brake
+/// resists; after a delay it returns to its path. Then it rests for a while, so that a host finds the home
+/// pose.
 class simulated_axes {
  public:
-  static constexpr double hand_rate = 20'000;    ///< Of an encoder without brake [counts/s].
-  static constexpr double hand_frequency = 0.5;  ///< To and fro [Hz].
-  static constexpr double hand_lag = 0.1;        ///< To come back to its path [s].
-  static constexpr double moves = 4, rests = 2;  ///< So long, in turn [s].
+  static constexpr double hand_rate = 20'000;    ///< Encoder without brake [counts/s].
+  static constexpr double hand_frequency = 0.5;  ///< Back and forth [Hz].
+  static constexpr double hand_lag = 0.1;        ///< Time to return to its path [s].
+  static constexpr double moves = 4, rests = 2;  ///< Durations, alternating [s].
   static constexpr double holding = 5000;        ///< Current that stops the hand [serial::current_unit].
 
   void set_current(std::size_t i, std::uint16_t current) { current_[i] = current; }
@@ -30,7 +29,7 @@ class simulated_axes {
     return static_cast<std::int32_t>(static_cast<std::int64_t>(std::floor(position_[i])));
   }
 
-  /// dt [s] pass.
+  /// Advances by dt [s].
   void advance(double dt) {
     time_ += dt;
     if (std::fmod(time_, moves + rests) > moves) return;

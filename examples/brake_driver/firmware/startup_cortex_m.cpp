@@ -1,4 +1,4 @@
-// From reset to main(): the vector table, memory as C++ expects it. Goes with cortex_m.ld.
+// From reset to main(): vector table and memory initialisation. Belongs to cortex_m.ld.
 #include <board.hpp>
 #include <firmware/cortex_m.hpp>
 
@@ -19,7 +19,7 @@ int main();
   }
 }
 
-// Any fault or unexpected interrupt: stand still until the watchdog resets all.
+// Any fault or unexpected interrupt: waits for the watchdog's reset.
 [[noreturn]] void stop_handler() {
   for (;;) {
   }

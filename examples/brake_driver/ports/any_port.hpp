@@ -1,5 +1,4 @@
-/// @file
-/// Ports of which only the configuration file knows what they are.
+/// Ports and sensors chosen by the configuration file.
 #pragma once
 
 #include <devices/driven_mechanism.hpp>
@@ -16,7 +15,7 @@ namespace example {
 
 namespace detail {
 
-// Reads a sample of a device with fewer channels; those that it lacks read 0.
+// Reads a sample of a device with fewer channels; missing channels read 0.
 template <class Device, int Own, int All>
 ph::port_status read_filled_up(Device& device, ph::port_sample<All>& sample) noexcept {
   static_assert(Own <= All);
@@ -37,7 +36,7 @@ class any_brake_port {
  public:
   static constexpr int encoder_count = max_axes, brake_count = max_axes;
 
-  /// A Port made of these arguments.
+  /// A Port constructed from these arguments.
   template <class Port, class... Arguments>
   static any_brake_port of(Arguments&&... arguments) {
     return any_brake_port(std::make_unique<model<Port>>(std::forward<Arguments>(arguments)...));
@@ -90,12 +89,11 @@ class any_force_sensor {
  public:
   static constexpr int channel_count = 6;
 
-  /// A Sensor made of these arguments.
+  /// A Sensor constructed from these arguments.
   template <class Sensor, class... Arguments>
   static any_force_sensor of(Arguments&&... arguments) {
     return any_force_sensor(std::make_unique<model<Sensor>>(std::forward<Arguments>(arguments)...));
   }
-  /// None: no force, ever.
   static any_force_sensor none() { return any_force_sensor(nullptr); }
 
   std::string open() { return sensor_ == nullptr ? "" : sensor_->open(); }

@@ -1,4 +1,3 @@
-/// @file
 /// An ATI Net F/T force/torque sensor, read over the network (raw data transfer, RDT).
 #pragma once
 
@@ -15,16 +14,15 @@
 
 namespace example {
 
-/// Where the sensor is and how it counts; the last two stand on its web page "Configurations".
+/// Address and scale of the sensor; the scale is on its web page "Configurations".
 struct net_ft_parameters {
-  std::string host = "192.168.1.1";      ///< Name or address; this one is the manufacturer's setting.
+  std::string host = "192.168.1.1";      ///< Name or address; the manufacturer's default.
   int port = 49152;                      ///< UDP.
   double counts_per_force = 1'000'000;   ///< [1/N]; set the sensor's force unit to N.
   double counts_per_torque = 1'000'000;  ///< [1/(N m)]; set the sensor's torque unit to N m.
   double open_timeout = 1;               ///< For the first record [s].
-  double silence = 0.1;                  ///< Without a record for so long records are requested again [s].
+  double silence = 0.1;  ///< Time without a record after which records are requested again [s].
 
-  /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
     using p = net_ft_parameters;
     using ph::member, ph::range;
@@ -39,7 +37,7 @@ struct net_ft_parameters {
         member("open_timeout", &p::open_timeout, "s", range::positive).suspicious_above(600),
         member("silence", &p::silence, "s", range::positive).suspicious_above(60));
   }
-  /// It has a host.
+  /// Requires a host.
   std::string rules() const {
     return host.empty() ? "host is empty, expected a name or an address, as 192.168.1.1" : "";
   }
@@ -50,12 +48,12 @@ using ph::validate;
 struct rdt_record {
   static constexpr std::size_t size = 36;  ///< [bytes]
 
-  std::uint32_t sequence = 0;            ///< Of the record; one more with each that is sent.
-  std::uint32_t ft_sequence = 0;         ///< Of the measurement.
-  std::uint32_t status = 0;              ///< 0 if all is well.
+  std::uint32_t sequence = 0;            ///< Number of the record.
+  std::uint32_t ft_sequence = 0;         ///< Number of the measurement.
+  std::uint32_t status = 0;              ///< 0 without faults.
   std::array<std::int32_t, 6> counts{};  ///< Fx, Fy, Fz, Tx, Ty, Tz.
 
-  /// From exactly these bytes.
+  /// Decodes these bytes.
   static rdt_record from(std::span<const std::uint8_t, size> bytes) {
     const auto word = [&](std::size_t i) {
       std::uint32_t value = 0;
@@ -67,39 +65,38 @@ struct rdt_record {
     return r;
   }
 
-  /// Are the counts to be trusted? Any bit of the status speaks against it (bit 17 is saturation, others are
-  /// failures of the electronics), but for bit 16: a threshold that the user set was once exceeded. Bit 31
-  /// comes with every other.
+  /// True if the counts are valid: no bit of the status is set (bit 17 is saturation, others are failures of
+  /// the electronics) except bit 16, a user-defined threshold that was exceeded, and bit 31, which
+  /// accompanies all others.
   bool trusted() const { return status == 0 || (status & 0x7FFF'FFFFu) == 0x0001'0000u; }
 };
 
-/// A ForceSensor for a threaded_sensor: of a socket without datagrams the kernel returns at once, but for
-/// another request it may have to find memory or a route. The loop cannot wait for it, as it touches memory
-/// alone.
+/// A ForceSensor for a threaded_sensor: reading an empty socket returns immediately, but another request may
+/// make the kernel allocate memory or look up a route. The loop only accesses memory and does not wait.
 ///
-/// Forces [N] and torques [N m] in the sensor's frame. Samples carry the record's sequence and the time of
-/// the read that found them, as the sensor sends no time of its own: good enough to see that a force is old,
-/// and no rate is made of it.
+/// Forces [N] and torques [N m] in the sensor's frame. Samples have the record's sequence and the time of
+/// their read, because the sensor sends no time; that suffices to detect old forces, and no rates are
+/// computed from it.
 ///
-/// read: `ok` with the record of the highest sequence of all that came; all channels are invalid unless
+/// read: `ok` with the record of the highest sequence received; all channels are invalid unless
 /// rdt_record::trusted().
-///   `bad_sample` if only datagrams of another length came. `no_sample` if nothing came, also while the
-///   network or the sensor refuses: after a pull of a cable or a power failure the sensor comes back, and
-///   records are then requested again, every `silence` seconds. `failed` if the socket itself is broken, or
-///   not open. At most max_datagrams + 1 system calls and a send.
-/// Nothing but open() allocates, waits or looks up a name.
+///   `bad_sample` if only datagrams of another length were received. `no_sample` without datagrams, also
+///   if the network or the sensor rejects requests: after an unplugged cable or a power failure, records
+///   are requested again every `silence` seconds. `failed` if the socket is broken or not open. At most
+///   max_datagrams + 1 system calls and a send.
+/// Only open() allocates, waits or looks up a name.
 class net_ft {
  public:
   static constexpr int channel_count = 6;    ///< Fx, Fy, Fz, Tx, Ty, Tz.
-  static constexpr int max_datagrams = 256;  ///< Of one read(): 36 ms of a sensor at its fastest.
+  static constexpr int max_datagrams = 256;  ///< Maximum per read(): 36 ms at the sensor's maximum rate.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit net_ft(const net_ft_parameters& p) : parameters_(ph::require_valid(p)) {}
-  /// Requests that the sensor stops sending.
+  /// Requests the end of transmission.
   ~net_ft() { ask(stop); }
   net_ft(net_ft&&) noexcept = default;
 
-  /// Looks the host up, requests records and waits for the first.
+  /// Looks up the host, requests records and waits for the first.
   std::string open() {
     const std::string name =
         "force sensor " + parameters_.host + ":" + std::to_string(parameters_.port) + ": ";
@@ -127,7 +124,6 @@ class net_ft {
            parameters_.host + "`)?";
   }
 
-  /// See above.
   ph::port_status read(ph::port_sample<channel_count>& to) noexcept {
     std::array<std::uint8_t, rdt_record::size> bytes;
     rdt_record newest;
@@ -165,7 +161,7 @@ class net_ft {
 
  private:
   static constexpr std::uint8_t stop = 0,
-                                start = 2;  // commands of RDT; start: as fast as set on its web page
+                                start = 2;  // RDT commands; start: at the rate on its web page
 
   net_ft_parameters parameters_;
   udp_peer peer_;
@@ -173,7 +169,7 @@ class net_ft {
   std::uint32_t status_ = 0;
 
   void ask(std::uint8_t command) noexcept {
-    // Header 0x1234, command, number of records: 0 is without end
+    // Header 0x1234, command, number of records: 0 is unlimited
     const std::array<std::uint8_t, 8> request{0x12, 0x34, 0, command, 0, 0, 0, 0};
     peer_.send(request);
     asked_ = ph::monotonic_seconds();

@@ -24,13 +24,13 @@ namespace {
 }
 
 #if PASSIVE_HAPTICS_COMEDI
-// A card is read anew with each look, and a slow one cannot do it more often.
+// Each look reads the card, so slow cards limit the rate.
 ph::polling_parameters a_reading_twice_a_cycle(const configuration& c) {
   return {std::max(1e-6, c.loop.period / 2)};
 }
 #endif
 
-// The loop's is called by a thread of its own, as any of them may wait; the supervisor's may wait.
+// A thread calls the loop's port, since it may wait; the supervisor's port may wait itself.
 template <class Port>
 any_brake_port port_for(port_use use, Port port, const ph::polling_parameters& polling = {}) {
   if (use == port_use::release) return any_brake_port::of<Port>(std::move(port));

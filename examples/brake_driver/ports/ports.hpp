@@ -1,5 +1,4 @@
-/// @file
-/// The ports that a configuration names.
+/// Ports of a configuration.
 #pragma once
 
 #include <configuration/configuration.hpp>
@@ -8,14 +7,13 @@
 
 namespace example {
 
-/// What a port is for: to control, or only to release the brakes beside another that controls.
+/// Purpose of a port: to control, or only to release the brakes next to a controlling port.
 enum class port_use { control, release };
 
-/// The port of the configuration; a simulated one belongs to the device, any other is called by a thread of
-/// its own where it controls. Throws std::invalid_argument where this program was built without what it
-/// needs.
+/// Makes the port of the configuration. A simulated one belongs to the device; any other controlling port is
+/// called by its own thread. Throws std::invalid_argument if this program was built without its library.
 any_brake_port make_port(const configuration& c, haptic_device& device, port_use use);
-/// Its force sensor, in the same way.
+/// Makes its force sensor in the same way.
 any_force_sensor make_sensor(const configuration& c, haptic_device& device);
 
 }  // namespace example

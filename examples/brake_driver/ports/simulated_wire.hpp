@@ -1,5 +1,4 @@
-/// @file
-/// The wire to the brakes of a simulated device, as its amplifiers see it.
+/// The wire to the brakes of a simulated device, at its amplifiers.
 #pragma once
 
 #include <passive_haptics/driver/clock.hpp>
@@ -22,17 +21,17 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// Currents of N brakes behind a board that keeps them, whoever dies, until its watchdog lets go: then it
-/// takes none until a release. Several processes may use it at once.
+/// Currents of N brakes behind a board that keeps them, even if a process dies, until its watchdog trips;
+/// then it rejects currents until a release. Several processes may use it concurrently.
 template <int N>
 class simulated_wire {
  public:
   using currents = ph::brake_currents<N>;  ///< [A]
 
-  /// With a watchdog of so long [s].
+  /// Watchdog time [s].
   explicit simulated_wire(double watchdog) : watchdog_(watchdog) {}
 
-  /// False, and nothing changes, where the watchdog let go.
+  /// Returns false without effect if the watchdog has tripped.
   bool set(const currents& wanted) noexcept {
     const double now = ph::monotonic_seconds();
     if (let_go(now)) return false;
@@ -40,13 +39,13 @@ class simulated_wire {
     fed_ = now;
     return true;
   }
-  /// 0 A; it takes currents again.
+  /// Sets 0 A and accepts currents again.
   void release() noexcept {
     for (auto& one : value_) one = 0;
   }
-  /// As if its watchdog had let go.
+  /// Trips the watchdog.
   void lose() noexcept { fed_ = -std::numeric_limits<double>::infinity(); }
-  /// What flows at a time [s, CLOCK_MONOTONIC].
+  /// Currents at a time [s, CLOCK_MONOTONIC].
   currents flowing(double now) const noexcept { return let_go(now) ? currents{} : values(); }
 
  private:
@@ -55,7 +54,7 @@ class simulated_wire {
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = value_[i];
     return all;
   }
-  // Nobody fed it while current flowed
+  // Not fed while currents flowed
   bool let_go(double now) const noexcept { return now - fed_ > watchdog_ && values() != currents{}; }
 
   double watchdog_;
@@ -63,8 +62,8 @@ class simulated_wire {
   std::array<std::atomic<double>, static_cast<std::size_t>(N)> value_{};
 };
 
-/// A simulated_wire in memory that forked processes share; with a name, of a new file, others can map it,
-/// too. It stays there. Throws std::runtime_error where there can be none.
+/// A simulated_wire in memory shared with forked processes; with the name of a new file, others can map it,
+/// too. The file is kept. Throws std::runtime_error on failure.
 template <int N>
 class shared_simulated_wire {
  public:

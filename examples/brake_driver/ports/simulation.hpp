@@ -1,5 +1,4 @@
-/// @file
-/// A device without hardware, seen through the same counts, readings and currents as a real one.
+/// A simulated device behind counts, readings and currents.
 #pragma once
 
 #include <configuration/configuration.hpp>
@@ -28,11 +27,11 @@
 
 namespace example {
 
-/// Plant, hand, encoders and force sensor, calibrated as the configuration says. It goes on to the present
-/// whenever somebody reads it. The wire to its brakes is one that a supervisor's process shares.
+/// Plant, hand, encoders and force sensor with the calibration of the configuration. Each read advances it to
+/// the present. The wire to its brakes is shared with a supervisor's process.
 class simulation {
  public:
-  /// The mechanism has inertia.
+  /// The mechanism must have inertia.
   explicit simulation(const configuration& c)
       : mechanism_(c.mechanism),
         calibration_(calibration_of(c)),
@@ -48,10 +47,10 @@ class simulation {
     ph::require_no_error(ph::check_time_step(dt, hand.min_time_constant(device_->min_mass())));
   }
 
-  /// From now on the hand may take the handle, as a user may once taring is done.
+  /// Allows the hand to take the handle, as a user may after taring.
   void let_the_hand_in() noexcept { take_hold(1, std::max(time_, p_.hand_start)); }
 
-  /// Counts of the encoders, which start anywhere and wrap at 2^counter_bits.
+  /// Counts of the encoders, with an arbitrary start, wrapping at 2^counter_bits.
   std::array<double, max_axes> counts() noexcept {
     advance();
     const auto exact = calibration_.encoders.counts(axis_positions());
@@ -63,7 +62,8 @@ class simulation {
     return all;
   }
 
-  /// Raw values of the force sensor, with an offset: C raw = R^T (F + m g) + offset, the least such raw.
+  /// Raw values of the force sensor, with an offset: the minimum-norm raw with C raw = R^T (F + m g) +
+  /// offset.
   std::array<double, sensor_channels> readings() noexcept {
     advance();
     const spatial force = sensor_.read() + force_.handle_mass * force_.gravity;
@@ -76,12 +76,12 @@ class simulation {
     return all;
   }
 
-  /// False where the board's watchdog let go, and no release came since.
+  /// Returns false if the board's watchdog tripped without a later release.
   bool set(const ph::brake_currents<max_axes>& currents) noexcept {
     advance();
     return wire_->set(currents);
   }
-  /// From any process.
+  /// May be called by any process.
   void release() noexcept { wire_->release(); }
   double watchdog() const noexcept { return p_.watchdog; }
 
@@ -92,7 +92,7 @@ class simulation {
   static constexpr std::array somewhere{100.0, turn - 200};
   inline static const spatial offset{0.3, -0.2, 0.1};  // [N]
 
-  // Those of the file, or one of the kind that [simulation] names for each curve
+  // Models of the file, or one of the kind in [simulation] per curve
   static std::vector<ph::runtime::run_time_brake> real_brakes(const configuration& c) {
     std::vector<ph::runtime::run_time_brake> all;
     for (const auto& model : c.device.brake_models)
@@ -118,7 +118,7 @@ class simulation {
         return run_time_brake(ph::stribeck_brake<double>{.coulomb = with(ph::coulomb_brake<double>())});
       case brake_kind::magnetorheological:
         return run_time_brake(with(ph::magnetorheological_brake<double>()));
-      case brake_kind::eddy_current:  // its board turns a torque into a current by the rate
+      case brake_kind::eddy_current:  // its board converts a torque to a current by the rate
         return run_time_brake(
             ph::compensated_brake<ph::eddy_current_brake<double>>{with(ph::eddy_current_brake<double>())});
     }
@@ -133,7 +133,7 @@ class simulation {
     return mechanism_.axis_positions(filled_up<axis_numbers>(device_->q()));
   }
   spatial position() const { return filled_up<spatial>(device_->position()); }
-  // Of the first wall, along which the hand goes; 0 without walls and of an open surface
+  // Normal of the first wall, which the hand follows; 0 without walls and for an open surface
   spatial normal(const spatial& x) const {
     return walls_.empty() ? spatial(spatial::Zero()) : walls_.front().gradient(x);
   }
@@ -183,7 +183,7 @@ class simulation {
   shared_simulated_wire<max_axes> wire_;
 };
 
-/// A BrakePort to a simulation. The loop cannot wait for it: it computes, and makes no system call.
+/// A BrakePort to a simulation. It only computes, without system calls, so the loop does not wait.
 class simulated_port {
  public:
   static constexpr int encoder_count = max_axes, brake_count = max_axes;

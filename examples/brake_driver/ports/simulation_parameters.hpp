@@ -1,5 +1,4 @@
-/// @file
-/// What the simulated device does not take from the calibration.
+/// Parameters of the simulated device that are not in the calibration.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -12,27 +11,26 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// What the simulated brakes are (passive_haptics/brake/models).
+/// Types of simulated brakes (passive_haptics/plant/brakes).
 enum class brake_kind { coulomb, stribeck, magnetorheological, eddy_current };
 
-/// A hand that goes along the first wall and presses on it, lifts off and goes back, again and again; and a
-/// sensor with noise.
+/// A hand that repeatedly moves along the first wall with a push, lifts off and returns; and a sensor with
+/// noise.
 struct simulation_parameters {
-  /// When the hand takes the handle, after the first sample and not before the sensor is tared [s].
+  /// Time at which the hand takes the handle, after the first sample and taring [s].
   double hand_start = 2;
-  std::vector<double> direction{1, 0};  ///< d, in which it goes first, base frame; any length.
-  double path = 0.06;                   ///< How far it goes before it lifts off [m].
+  std::vector<double> direction{1, 0};  ///< d, first direction, base frame; any length.
+  double path = 0.06;                   ///< Distance before it lifts off [m].
   double speed = 0.05;                  ///< Along the wall [m/s].
-  double push = 2;                      ///< Into the wall [N]; a quarter of it off the wall on the way back.
-  double hand_mass = 0.5;               ///< [kg]
-  brake_kind brake = brake_kind::coulomb;  ///< Each with the limit and residual torque of its curve.
+  double push = 2;         ///< Into the wall [N]; a quarter of it away from the wall on the way back.
+  double hand_mass = 0.5;  ///< [kg]
+  brake_kind brake = brake_kind::coulomb;  ///< With limit and residual torque of its curve.
   double brake_lag = 0.020;                ///< Time constant of the simulated brakes [s].
   double sensor_noise = 0.02;              ///< Standard deviation of each force channel [N].
   std::uint64_t seed = 1;                  ///< Of that noise.
-  double watchdog = 1;                     ///< Without currents for so long the simulated board lets go [s].
-  std::string wire;  ///< A new file that shows what flows (simulated_wire.hpp); empty for none.
+  double watchdog = 1;  ///< Time without currents after which the simulated board releases the brakes [s].
+  std::string wire;     ///< A new file with the applied currents (simulated_wire.hpp); empty for none.
 
-  /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
     using p = simulation_parameters;
     using ph::member, ph::range;

@@ -13,7 +13,7 @@
 namespace example {
 namespace {
 
-// A parameter of the law, or its default in velocity_direct_control, whose depth is printed under any law.
+// A parameter of the law, or its default in velocity_direct_control.
 double of_law(const configuration& c, std::string_view name, double otherwise) {
   ph::runtime::any_parameters law = c.device.law.parameters;
   for (const auto& f : law.fields())
@@ -21,7 +21,7 @@ double of_law(const configuration& c, std::string_view name, double otherwise) {
   return otherwise;
 }
 
-// The wall as the handle meets it at home, approached at this speed [m/s].
+// The wall at the home pose, approached at this speed [m/s].
 ph::braked_wall wall_at_home(const configuration& c, double approach) {
   if (c.walls.empty())
     throw std::invalid_argument("walls = [], expected one or more for --limits, which is about the first");

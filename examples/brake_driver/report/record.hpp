@@ -1,5 +1,4 @@
-/// @file
-/// What the loop says of each cycle.
+/// Log record of a cycle.
 #pragma once
 
 #include <configuration/configuration.hpp>
@@ -13,30 +12,30 @@
 
 namespace example {
 
-/// What the driver is doing.
+/// Phases of the driver.
 enum class phase : std::uint8_t { homing, taring, running };
 
-/// A cycle, as a value that processes can hand over.
+/// A cycle as a value for exchange between processes.
 struct record {
-  double time = 0;          ///< [s], since the loop began.
-  std::int64_t number = 0;  ///< Of the period.
+  double time = 0;          ///< [s], since the start of the loop.
+  std::int64_t number = 0;  ///< Number of the period.
   phase doing = phase::homing;
   ph::port_state state = ph::port_state::ready;
-  ph::fault_record reason;               ///< Why the brakes are released.
-  wall_depth too_deep;                   ///< Why ready brakes do not come on; none where they may.
-  bool needs_homing = false;             ///< Whether they stay so until the program starts again.
-  ph::fault_record held_over;            ///< What is wrong with the last samples.
-  ph::runtime::joint_numbers q, qd;      ///< [rad or m], and of it a second; NaN until it is homed.
-  ph::runtime::task_numbers x;           ///< Handle [m]; NaN until the device is homed.
-  ph::runtime::task_numbers hand_force;  ///< [N]; NaN until the sensor is tared.
+  ph::fault_record reason;               ///< Reason for the release.
+  wall_depth too_deep;                   ///< Reason why ready brakes are not activated; none if they may be.
+  bool needs_homing = false;             ///< True if that lasts until the program restarts.
+  ph::fault_record held_over;            ///< Fault of the last samples.
+  ph::runtime::joint_numbers q, qd;      ///< [rad or m], and its rate; NaN before homing.
+  ph::runtime::task_numbers x;           ///< Handle [m]; NaN before homing.
+  ph::runtime::task_numbers hand_force;  ///< [N]; NaN before taring.
   ph::runtime::cycle_record decision;
-  bool was_asked = false;              ///< Whether there is a decision.
-  ph::runtime::joint_numbers current;  ///< What each brake gets [A].
-  bool current_is_known = true;        ///< False where the device is lost or refuses.
+  bool was_asked = false;              ///< True if there is a decision.
+  ph::runtime::joint_numbers current;  ///< Current of each brake [A].
+  bool current_is_known = true;        ///< False if the device is lost or rejects writes.
   double late = 0, compute = 0;        ///< [s]
 
   record() = default;
-  /// Of a device with these sizes: nothing is known of its motion, and its brakes are released.
+  /// Of a device with these sizes: unknown motion, released brakes.
   explicit record(const ph::runtime::device_sizes& sizes) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();  // an empty cell of the log
     const auto fill = [](auto& numbers, int count, double value) {

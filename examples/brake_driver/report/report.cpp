@@ -29,7 +29,7 @@ const char* words(phase p) {
   return "";
 }
 
-// printf into a string.
+// printf to a string.
 template <class... Arguments>
 std::string text(const char* format, Arguments... arguments) {
   std::array<char, 1000> line{};
@@ -37,19 +37,19 @@ std::string text(const char* format, Arguments... arguments) {
   return line.data();
 }
 
-// What somebody can do about released brakes; the recorder's parent is the loop.
+// Remedy for released brakes; the recorder's parent is the loop.
 std::string way_back(const record& r) {
   if (r.state != ph::port_state::released || r.reason.what == ph::fault::user) return "";
   return r.needs_homing ? "start again, at the home pose"
                         : "when that is over: kill -USR1 " + std::to_string(getppid());
 }
 
-// What the walls demand is felt only while the brakes are driven.
+// Walls are only felt while the brakes are driven.
 bool displays(const record& r) {
   return r.state == ph::port_state::active || r.state == ph::port_state::degraded;
 }
 
-// Empty for a share that is not known.
+// Empty for an unknown share.
 std::string bar(double share, std::size_t width) {
   const double length = share > 0 ? std::min(share, 1.0) * static_cast<double>(width) : 0;
   const auto full = static_cast<std::size_t>(std::lround(length));
@@ -58,12 +58,12 @@ std::string bar(double share, std::size_t width) {
 
 std::string words(const ph::fault_record& i) { return i.what == ph::fault::none ? "" : to_string(i); }
 
-// Why the brakes are released, or why they do not come on.
+// Reason why the brakes are released or not activated.
 std::string reason(const record& r) {
   return r.too_deep.number > 0 ? not_activated_in_words(r.too_deep) : words(r.reason);
 }
 
-// A line of the log: what all logs have, then what only a device has.
+// A line of the log: columns of all logs, then those of devices.
 void put(log_row& row, const joint_kinds& joints, const record& r) {
   row.start();
   put_motion(row, joints, r);
@@ -79,7 +79,7 @@ void put(log_row& row, const joint_kinds& joints, const record& r) {
   row.put("compute", "s", r.compute);
 }
 
-// "-" for what is not known yet.
+// "-" for unknown values.
 std::string number(const char* format, double value) { return std::isnan(value) ? "-" : text(format, value); }
 
 // "0.08, 0.22"
@@ -91,7 +91,7 @@ std::string list(const char* format, const Numbers& values) {
   return all;
 }
 
-// A terminal breaks longer lines, and loses those at its top: then it could not be written over.
+// Limits the table to the terminal: broken or scrolled lines could not be overwritten.
 std::string fitting(const std::string& table, const winsize& terminal) {
   if (terminal.ws_row < 2 || terminal.ws_col < 2) return table;
   std::istringstream lines(table);
@@ -138,20 +138,20 @@ report_sink::report_sink(const session_options& options, const configuration& c)
 std::string report_sink::open() {
   terminal_ = isatty(STDOUT_FILENO) != 0;
   struct stat kind{};
-  // Opened anew, as others share what stdout is: only here nothing may wait. Not a file, which has its place
-  // in it
+  // Reopened, because stdout is shared: only this descriptor must not block. Not for a file, which has a
+  // position
   if (terminal_ || (fstat(STDOUT_FILENO, &kind) == 0 && S_ISFIFO(kind.st_mode)))
     output_ = ::open("/proc/self/fd/1", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (output_ < 0) output_ = STDOUT_FILENO;
   if (const std::string error = stream_.open(live_port_); !error.empty())
     return "UDP port " + std::to_string(live_port_) + ": " + error;
-  put(row_, joints_, blank_);  // names the columns
+  put(row_, joints_, blank_);  // sets the column names
   if (name_.empty()) return {};
-  auto file = std::make_unique<output_file>(name_);  // not there without the other
+  auto file = std::make_unique<output_file>(name_);  // not created without the other
   device_file_ = std::make_unique<output_file>(device_name(name_), leftover::replace);
   file_ = std::move(file);
   file_->stream() << row_.header();
-  device_file_->stream() << device_text_ << std::flush;  // for the log of a run that is killed
+  device_file_->stream() << device_text_ << std::flush;  // for the log of a killed run
   return {};
 }
 
@@ -250,7 +250,7 @@ void report_sink::show() {
   if (!loss().empty()) table += loss() + "\n";
   table += "late, of " + text("%llu cycles\n", static_cast<unsigned long long>(count_)) + bars(late_);
 
-  // Over the table before; whose lines a terminal may have broken that has another size now
+  // Overwrites the previous table; a resized terminal may have broken its lines
   winsize size{};
   ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
   const bool resized = size.ws_row != size_.ws_row || size.ws_col != size_.ws_col;
@@ -267,16 +267,16 @@ void report_sink::write_shown() {
   if (pending_.empty()) return;
   const ssize_t size = write(output_, pending_.data(), pending_.size());
   if (size > 0) pending_.erase(0, static_cast<std::size_t>(size));
-  else if (errno != EAGAIN) pending_.clear();  // nobody is there any more
+  else if (errno != EAGAIN) pending_.clear();  // no reader is left
 }
 
 void report_sink::close() {
   write_shown();
   if (live_ && count_ > 0 && pending_.empty()) show();
   if (!file_) return;
-  // Where nothing ran, the log of a run before stays
+  // Without cycles, the log of a previous run is kept
   if (count_ > 0) try {
-      device_file_->commit();  // first: whoever has the whole log has its device
+      device_file_->commit();  // first, so that a complete log has its device
       file_->commit();
     } catch (const std::runtime_error& failed) {
       throw std::runtime_error(std::string("error: ").append(failed.what()));

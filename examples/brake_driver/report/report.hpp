@@ -1,5 +1,4 @@
-/// @file
-/// Who writes down what the loop says of each cycle.
+/// Storage and display of the loop's records.
 #pragma once
 
 #include <configuration/configuration.hpp>
@@ -20,21 +19,21 @@
 
 namespace example {
 
-/// A RecordSink: a log and a device file of its device, whole or not at all, the same log as a stream for who
-/// draws it, and a table in the terminal; what is lost, as it happens. Lives in the recorder's process. A
-/// terminal or a pipe that nobody reads loses tables; the files go on.
+/// A RecordSink: writes a log and its device file (whole or not at all), streams the log for display, and
+/// shows a table in the terminal, including losses. Runs in the recorder's process. A terminal or pipe
+/// without a reader loses tables; the files continue.
 class report_sink {
  public:
-  /// Nothing is shown without `live`, no file is written without a name, nothing sent without a port.
+  /// No display without `live`, no file without a name, no stream without a port.
   report_sink(const session_options& options, const configuration& c);
 
   std::string open();
   void take(const record& r);
-  /// `missing`: records that never came here.
+  /// `missing`: lost records before this sink.
   void rest(std::uint64_t missing);
-  /// Of those that came, how many are not in the file.
+  /// Number of received records that are not in the file.
   std::uint64_t lost() const { return lost_; }
-  /// Throws std::runtime_error where the file is not whole: what there is stays in FILE.part.
+  /// Throws std::runtime_error if the file is incomplete; the data stays in FILE.part.
   void close();
 
  private:
@@ -53,11 +52,11 @@ class report_sink {
   std::unique_ptr<output_file> file_, device_file_;
   record blank_, last_;
   std::uint64_t count_ = 0, kept_ = 0, lost_ = 0, missing_ = 0;
-  double shown_ = -1;  // time of the last record that was shown [s]
-  int lines_ = 0;      // of the table on the terminal,
-  winsize size_{};     // which had this size then
+  double shown_ = -1;  // time of the last displayed record [s]
+  int lines_ = 0;      // of the table on the terminal
+  winsize size_{};     // its size at that time
   int output_ = -1;
-  std::string pending_;  // what is shown but had no room yet
+  std::string pending_;  // output that had no room yet
   ph::duration_histogram late_, compute_;
 };
 

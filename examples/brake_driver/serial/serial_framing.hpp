@@ -1,7 +1,5 @@
-/// @file
-/// How packets travel on a serial line: a checksum, and delimiters that occur nowhere else. Host and firmware
-/// share it; it needs no heap, no exceptions and no operating system. docs/guide/serial_protocol.md specifies
-/// it.
+/// Frames on a serial line: a checksum, and unique delimiters. Shared by host and firmware; needs no heap,
+/// exceptions or operating system. Specified in docs/guide/serial_protocol.md.
 #pragma once
 
 #include <array>
@@ -19,8 +17,8 @@ inline constexpr std::size_t max_frame =
     max_body + 3;  ///< A delimiter, one byte of COBS, a delimiter [bytes].
 static_assert(max_body < 254, "COBS then needs one byte more, for any content");
 
-/// CRC-32 of IEEE 802.3: polynomial 0x04C11DB7, reflected, starts with and is inverted by 0xFFFFFFFF. Of
-/// "123456789": 0xCBF43926.
+/// CRC-32 of IEEE 802.3: polynomial 0x04C11DB7, reflected, initial value and final inversion 0xFFFFFFFF.
+/// "123456789" gives 0xCBF43926.
 constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
   // Four bits at a time: 64 bytes of table suit a microcontroller.
   constexpr auto table = [] {
@@ -39,12 +37,11 @@ constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
   return ~crc;
 }
 
-/// Appends little-endian integers to bytes; what does not fit is left out.
+/// Appends little-endian integers to bytes; drops what does not fit.
 class byte_writer {
  public:
-  /// Into these bytes.
   constexpr explicit byte_writer(std::span<std::uint8_t> to) : to_(to) {}
-  /// The lowest `bytes` bytes of a value.
+  /// Appends the lowest `bytes` bytes of a value.
   constexpr void put(std::uint32_t value, std::size_t bytes) {
     for (std::size_t i = 0; i < bytes && size_ < to_.size(); ++i)
       to_[size_++] = static_cast<std::uint8_t>(value >> (8 * i));
@@ -57,10 +54,9 @@ class byte_writer {
   std::size_t size_ = 0;
 };
 
-/// Takes little-endian integers from bytes; behind their end it reads 0.
+/// Reads little-endian integers from bytes; 0 after their end.
 class byte_reader {
  public:
-  /// From these bytes.
   constexpr explicit byte_reader(std::span<const std::uint8_t> from) : from_(from) {}
   /// The next `bytes` bytes.
   constexpr std::uint32_t get(std::size_t bytes) {
@@ -75,28 +71,26 @@ class byte_reader {
   std::size_t at_ = 0;
 };
 
-/// What a frame carries.
+/// Content of a frame.
 struct packet {
-  std::uint8_t type = 0;                            ///< See message_type.
-  std::uint32_t sequence = 0;                       ///< One more with each packet of a sender, modulo 2^32.
-  std::uint8_t size = 0;                            ///< Of the payload [bytes], at most max_payload.
-  std::array<std::uint8_t, max_payload> payload{};  ///< Of which the first `size` count.
+  std::uint8_t type = 0;       ///< See message_type.
+  std::uint32_t sequence = 0;  ///< Incremented with each packet of a sender, modulo 2^32.
+  std::uint8_t size = 0;       ///< Size of the payload [bytes], at most max_payload.
+  std::array<std::uint8_t, max_payload> payload{};  ///< The first `size` bytes are used.
 
-  /// The bytes that count.
   constexpr std::span<const std::uint8_t> content() const { return std::span(payload).first(size); }
 };
 
-/// A packet as it goes onto the line.
+/// A packet as sent.
 struct frame {
-  std::array<std::uint8_t, max_frame> byte{};  ///< Of which the first `size` count.
+  std::array<std::uint8_t, max_frame> byte{};  ///< The first `size` bytes are used.
   std::size_t size = 0;                        ///< [bytes]
 
-  /// The bytes that count.
   constexpr std::span<const std::uint8_t> content() const { return std::span(byte).first(size); }
 };
 
-/// 0x00, COBS(type, sequence, payload, CRC-32), 0x00. It opens with a delimiter, too, so that neither noise
-/// nor half a frame before it takes it along.
+/// 0x00, COBS(type, sequence, payload, CRC-32), 0x00. The first delimiter separates it from preceding noise
+/// or an incomplete frame.
 constexpr frame encode(const packet& p) {
   std::array<std::uint8_t, max_body> body{};
   byte_writer out(body);
@@ -106,7 +100,7 @@ constexpr frame encode(const packet& p) {
   out.put(crc32(std::span<const std::uint8_t>(body).first(out.size())), checksum_size);
 
   frame f;
-  std::size_t code = 1;  // where the distance to the next 0 of the body goes
+  std::size_t code = 1;  // place of the distance to the next 0 of the body
   f.size = 2;
   for (const std::uint8_t b : std::span(body).first(out.size())) {
     if (b == 0) {
@@ -122,25 +116,24 @@ constexpr frame encode(const packet& p) {
   return f;
 }
 
-/// What a byte brought.
 enum class outcome : std::uint8_t {
-  nothing,  ///< No frame ends here.
-  packet,   ///< A whole one: decoder::last().
-  damaged,  ///< Something between two delimiters that is no frame.
+  nothing,  ///< No frame ended.
+  packet,   ///< A complete packet: decoder::last().
+  damaged,  ///< Invalid data between two delimiters.
 };
 
-/// Finds packets in a stream of bytes, which may begin anywhere and be damaged anywhere: the next delimiter
-/// brings it back.
+/// Finds packets in a stream of bytes that may start and be damaged anywhere; resynchronises at the next
+/// delimiter.
 class decoder {
  public:
-  /// Takes the next byte. Constant time but for a delimiter, which takes time in proportion to the frame.
+  /// Processes the next byte in constant time; a delimiter takes time proportional to the frame.
   constexpr outcome take(std::uint8_t b) {
     if (b == 0) {
       const std::size_t size = size_;
       size_ = 0;
       const bool whole = synchronised_;
       synchronised_ = true;
-      // Before the first delimiter there may be the rest of a frame that began before we listened: no damage.
+      // Before the first delimiter there may be the rest of an earlier frame, which is no damage.
       return !whole || size == 0 ? outcome::nothing : finish(size) ? outcome::packet : outcome::damaged;
     }
     if (size_ < stuffed_.size()) stuffed_[size_] = b;
@@ -148,7 +141,6 @@ class decoder {
     return outcome::nothing;
   }
 
-  /// The latest packet.
   constexpr const packet& last() const { return last_; }
 
  private:

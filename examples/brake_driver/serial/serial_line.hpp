@@ -1,4 +1,3 @@
-/// @file
 /// A serial port of the operating system: raw bytes, both ways, without waiting.
 #pragma once
 
@@ -25,7 +24,7 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// The rates that a serial port can be set to [bit/s].
+/// Supported rates [bit/s].
 inline constexpr std::array<std::pair<int, speed_t>, 14> baud_rates{{{9600, B9600},
                                                                      {19200, B19200},
                                                                      {38400, B38400},
@@ -41,7 +40,7 @@ inline constexpr std::array<std::pair<int, speed_t>, 14> baud_rates{{{9600, B960
                                                                      {3000000, B3000000},
                                                                      {4000000, B4000000}}};
 
-/// What is wrong with a rate; empty if nothing.
+/// Error text of a rate, empty if there is none.
 inline std::string check_baud(std::string_view name, int baud) {
   std::string rates;
   for (const auto& [rate, code] : baud_rates) {
@@ -51,21 +50,18 @@ inline std::string check_baud(std::string_view name, int baud) {
   return ph::detail::error_text(name, baud, "one of " + rates);
 }
 
-/// One. Nothing but open() allocates; nothing waits, but for closing it, where the kernel sends what is under
-/// way first.
+/// A serial line. Only open() allocates; nothing waits except close(), while the kernel sends pending bytes.
 class serial_line {
  public:
-  /// How a transfer ended.
   enum class transfer {
-    done,     ///< All of it, or for read() at least one byte.
-    nothing,  ///< No byte came; there was no room for all bytes, and some may have gone out.
+    done,     ///< All bytes, or for read() at least one.
+    nothing,  ///< No byte received; no room for all bytes, some of which may have been sent.
     lost,     ///< The port is gone.
   };
 
-  /// Whose line it is.
   enum class use {
-    alone,   ///< Only this one reads: until it is closed nobody else opens the line, alone or beside.
-    beside,  ///< Of somebody who writes now and then beside the one who reads, and opens it before.
+    alone,   ///< Only reader: no other process can open the line until it is closed.
+    beside,  ///< Occasional writer next to the reader, opened before it.
   };
 
   serial_line() = default;
@@ -73,7 +69,8 @@ class serial_line {
   serial_line& operator=(serial_line&&) noexcept = default;
   ~serial_line() { close(); }
 
-  /// Raw, 8 data bits, no parity, 1 stop bit, no flow control. Empty, or what is wrong and what to do.
+  /// Opens it raw, 8 data bits, no parity, 1 stop bit, no flow control. Returns an error with a remedy, or an
+  /// empty string.
   std::string open(const std::string& path, int baud, use u) {
     close();
     fd_ = file_descriptor(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
@@ -85,10 +82,9 @@ class serial_line {
     return "serial port " + path + ": " + text;
   }
 
-  /// Is it?
   bool is_open() const noexcept { return fd_.is_open(); }
 
-  /// Takes what has come, as far as it has room. One system call.
+  /// Reads the received bytes, as far as there is room. One system call.
   transfer read(std::span<std::uint8_t> to, std::size_t& count) noexcept {
     count = 0;
     for (;;) {
@@ -97,13 +93,13 @@ class serial_line {
         count = static_cast<std::size_t>(n);
         return transfer::done;
       }
-      if (n == 0) return transfer::lost;  // hung up: with VMIN = 1, "nothing came" is EAGAIN
+      if (n == 0) return transfer::lost;  // hung up: with VMIN = 1 an empty line gives EAGAIN
       if (errno == EINTR) continue;
       return errno == EAGAIN ? transfer::nothing : transfer::lost;
     }
   }
 
-  /// Hands over all bytes, or as many as there is room for. One system call.
+  /// Writes all bytes, or as many as there is room for. One system call.
   transfer write(std::span<const std::uint8_t> bytes) noexcept {
     for (;;) {
       const auto n = ::write(fd_.get(), bytes.data(), bytes.size());
@@ -114,17 +110,14 @@ class serial_line {
     }
   }
 
-  /// Throws away what is handed over but not sent yet.
   void discard_output() noexcept { tcflush(fd_.get(), TCOFLUSH); }
-  /// Throws away what has come but is not read yet.
   void discard_input() noexcept { tcflush(fd_.get(), TCIFLUSH); }
 
-  /// Waits until something has come, at most so long [s].
+  /// Waits for input, at most `timeout` [s].
   void wait(double timeout) const noexcept { fd_.wait(timeout); }
 
-  /// Nothing if it is not open.
   void close() noexcept {
-    if (alone_) ioctl(fd_.get(), TIOCNXCL);  // a pseudo-terminal would remember it
+    if (alone_) ioctl(fd_.get(), TIOCNXCL);  // a pseudo-terminal would keep the flag
     alone_ = false;
     fd_.close();
   }
@@ -149,7 +142,7 @@ class serial_line {
     }
   }
 
-  // TIOCEXCL is for programs without this lock, and nothing to root; flock ends with its process
+  // TIOCEXCL is for programs without this lock and does not affect root; flock ends with the process
   std::string lock(use u) {
     if (flock(fd_.get(), (u == use::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) return refusal(errno);
     if (u == use::beside) flock(fd_.get(), LOCK_UN);
@@ -173,8 +166,7 @@ class serial_line {
       return std::string("cannot be set up: ") + std::strerror(errno);
     if (cfgetospeed(&result) != cfgetospeed(&settings))
       return ph::detail::error_text("baud [bit/s]", baud, "a rate that this port can do");
-    // An FTDI chip keeps what it received for 16 ms unless low latency is set; a line that cannot do it
-    // refuses, and that is all right.
+    // FTDI chips hold received bytes for 16 ms unless low latency is set; other lines reject it without harm.
     serial_struct driver;
     if (ioctl(fd_.get(), TIOCGSERIAL, &driver) == 0) {
       driver.flags |= int(ASYNC_LOW_LATENCY);

@@ -1,5 +1,4 @@
-/// @file
-/// Brakes and encoders behind a microcontroller on a serial line, which speaks serial_protocol.hpp.
+/// Brakes and encoders of a microcontroller on a serial line (serial_protocol.hpp).
 #pragma once
 
 #include <serial/serial_line.hpp>
@@ -16,47 +15,46 @@
 
 namespace example {
 
-/// A BrakePort for a threaded_port: read() and write() take a few system calls each. At a pseudo-terminal
-/// the kernel makes them wait for a worker of its own, even if the port is set not to wait; on a busy machine
-/// this worker gets no processor (0.5 s were seen). The loop cannot wait for it, as it touches memory alone.
+/// A BrakePort for a threaded_port: read() and write() take a few system calls each. On a pseudo-terminal
+/// they wait for a kernel worker even in non-blocking mode, up to 0.5 s on a busy machine. The loop only
+/// accesses memory and does not wait.
 ///
-/// Samples carry the device's sequence and time (device_clock); a channel is invalid where the device reports
-/// a fault of its encoder.
+/// Samples have the device's sequence and time (device_clock); a channel is invalid if the device reports a
+/// fault of its encoder.
 ///
-///   - read: `ok` with the newest whole sample of all that came; `bad_sample` if there was none but damage (a
-///     wrong checksum, a frame cut off, one of another number of encoders); `failed` if the port is gone, or
-///     if currents were written and the device says that they are not on the brakes: a brake's fault, its
-///     watchdog, a release by somebody else, a restart. That is looked at once the first currents after a
-///     release had its watchdog's time to arrive.
-///   - write: `no_sample` if the operating system had no room for the whole frame; half of one may be out,
-///     which the device drops when the next begins. What waits is thrown away then: currents that are late
-///     are wrong. `failed` if the port is gone.
-///   - release: throws away what waits, and sends the release three times, so that one disturbance does not
-///     take all. If it gets lost nevertheless the device's watchdog does the same. Safe in a signal handler.
+///   - read: `ok` with the latest complete sample; `bad_sample` if there was only damaged data (a wrong
+///     checksum, an incomplete frame, another number of encoders); `failed` if the port is gone, or the
+///     device reports that written currents are not on the brakes: a brake fault, its watchdog, a release by
+///     another process, a restart. This is checked once the first currents after a release had the watchdog's
+///     time to arrive.
+///   - write: `no_sample` if there was no room for the whole frame; the device drops a partial frame. Pending
+///     output is then discarded, because late currents are wrong. `failed` if the port is gone.
+///   - release: discards pending output, and sends the release three times against disturbances. If all are
+///     lost, the device's watchdog releases the brakes. Safe in a signal handler.
 template <int Encoders, int Brakes>
   requires(Encoders >= 1 && Encoders <= int{serial::max_channels} && Brakes >= 1 &&
            Brakes <= int{serial::max_channels})
 class serial_port {
  public:
-  static constexpr int encoder_count = Encoders;  ///< Channels of a sample, at most.
-  static constexpr int brake_count = Brakes;      ///< Currents, at most.
-  static constexpr int release_copies = 3;        ///< Frames of one release().
+  static constexpr int encoder_count = Encoders;  ///< Maximum channels of a sample.
+  static constexpr int brake_count = Brakes;      ///< Maximum number of currents.
+  static constexpr int release_copies = 3;        ///< Frames per release().
 
-  /// What went wrong on the line, since open().
+  /// Line errors since open().
   struct statistics {
-    unsigned long samples = 0;  ///< Whole samples, also those that a newer one of the same read() replaced.
-    unsigned long damaged = 0;  ///< Frames that were none.
-    unsigned long unsent = 0;   ///< Currents that had no room.
+    unsigned long samples = 0;  ///< Complete samples, including those replaced in a read().
+    unsigned long damaged = 0;  ///< Invalid frames.
+    unsigned long unsent = 0;   ///< Currents without room.
   };
 
-  /// To a device with so many encoders and brakes; further channels of a sample are 0. Throws
+  /// For a device with so many encoders and brakes; other channels of a sample are 0. Throws
   /// std::invalid_argument with the text of validate(p).
   explicit serial_port(const serial_port_parameters& p, int encoders = Encoders, int brakes = Brakes)
       : parameters_(ph::require_valid(p)), encoders_(encoders), brakes_(brakes) {}
   ~serial_port() { release(); }
   serial_port(serial_port&&) noexcept = default;
 
-  /// Opens the port, releases the brakes, and requests the name of the device.
+  /// Opens the port, releases the brakes, and requests the device's hello.
   std::string open() {
     using enum serial_line::use;
     if (const std::string text =
@@ -64,17 +62,17 @@ class serial_port {
         !text.empty())
       return text;
     lost_ = false;
-    hello_.current_limit = std::numeric_limits<std::uint16_t>::max();  // the device cuts at its own
+    hello_.current_limit = std::numeric_limits<std::uint16_t>::max();  // limited by the device
     if (parameters_.release_only) return "";
-    line_.discard_input();  // samples of before
+    line_.discard_input();  // old samples
     release();
     const std::string text = greet();
     if (text.empty()) return "";
-    line_.close();  // somebody else may drive it
+    line_.close();  // another process may drive it
     return "serial port " + parameters_.device + ": " + text;
   }
 
-  /// See above; bounded by the 4 KiB that the kernel keeps.
+  /// See above; limited by the kernel's buffer of 4 KiB.
   ph::port_status read(ph::port_sample<Encoders>& to) noexcept {
     const double now = ph::monotonic_seconds();
     bool fresh = false, damaged = false;
@@ -101,8 +99,7 @@ class serial_port {
     return refused(now) ? ph::port_status::failed : ph::port_status::ok;
   }
 
-  /// See above. Rounds to serial::current_unit, cuts at the device's limit, and takes what is no number for
-  /// 0.
+  /// See above. Rounds to serial::current_unit, limits to the device's limit, and sends NaN as 0.
   ph::port_status write(const ph::brake_currents<Brakes>& currents) noexcept {
     if (lost_ || !line_.is_open()) return ph::port_status::failed;
     serial::currents m;
@@ -124,7 +121,6 @@ class serial_port {
     }
   }
 
-  /// See above.
   void release() noexcept {
     armed_ = false;
     if (!line_.is_open()) return;
@@ -133,15 +129,13 @@ class serial_port {
       line_.write(serial::encode(serial::pack(sequence_++, serial::message_type::release)).content());
   }
 
-  /// Counts are of 32 bits.
+  /// 32 bits.
   static constexpr int counter_bits() noexcept { return 32; }
-  /// Of the device; 0 before it said so [s].
+  /// Watchdog of the device [s]; 0 before its hello.
   double watchdog() const noexcept { return 1e-3 * hello_.watchdog; }
-  /// What the device said of itself; of its limits.
   const serial::hello& device() const { return hello_; }
-  /// The newest sample as it came: what read() refused, and why.
+  /// The latest sample, with the reason for a failed read().
   const serial::sample& newest() const { return newest_; }
-  /// What went wrong on the line.
   const statistics& line_statistics() const { return statistics_; }
 
  private:
@@ -154,11 +148,10 @@ class serial_port {
   ph::device_clock clock_;
   statistics statistics_;
   bool lost_ = false, armed_ = false;
-  double armed_since_ = 0;  // the first currents after a release [s]
+  double armed_since_ = 0;  // time of the first currents after a release [s]
   std::uint32_t sequence_ = 0;
 
-  // Feeds what came to the decoder, calls f(outcome) where a frame ends, and returns how many bytes that
-  // were.
+  // Decodes the received bytes, calls f(outcome) at each end of a frame, and returns the number of bytes.
   template <class F>
   std::size_t take(F&& f) noexcept {
     constexpr std::size_t max_bytes = 4096;
@@ -176,13 +169,13 @@ class serial_port {
     return all;
   }
 
-  // Currents were written, they had time to arrive, and the device does not have them on its brakes.
+  // True if written currents had time to arrive, but are not on the brakes.
   bool refused(double now) const noexcept {
     const bool on = (newest_.state & serial::sample::active) != 0 && newest_.brake_faults == 0;
     return armed_ && !on && now - armed_since_ > 1e-3 * hello_.watchdog;
   }
 
-  // Requests it until a name comes.
+  // Requests the hello until it arrives.
   std::string greet() {
     constexpr double again = 0.1;  // [s]
     const double end = ph::monotonic_seconds() + parameters_.open_timeout;

@@ -1,5 +1,4 @@
-/// @file
-/// Where a device on a serial line is, and what there is to say if it is not there.
+/// Parameters of a device on a serial line, and errors for a missing device.
 #pragma once
 
 #include <serial/serial_line.hpp>
@@ -9,17 +8,14 @@
 
 namespace example {
 
-/// Where the device is.
 struct serial_port_parameters {
-  std::string device = "/dev/ttyACM0";  ///< A name under /dev/serial/by-id stays the same at another socket.
+  std::string device = "/dev/ttyACM0";  ///< Names in /dev/serial/by-id do not depend on the socket.
   int baud = 1'000'000;                 ///< [bit/s]; USB boards without a UART ignore it.
-  double open_timeout = 3;  ///< For a hello [s]; boards that opening the port resets take 2 s to start.
-  /// For a supervisor: open() neither requests nor releases nor reads, so the process that drives the device
-  /// notices nothing; it may write. It comes before that of the port that drives it, which is refused to all
-  /// who come later.
+  double open_timeout = 3;              ///< Timeout of the hello [s]; boards that reset on open need 2 s.
+  /// For a supervisor: open() neither requests, releases nor reads, so it does not disturb the controlling
+  /// process; writing is allowed. Open it before the controlling port, which locks the line.
   bool release_only = false;
 
-  /// The table of passive_haptics/core/parameters.hpp: what a configuration may say.
   static constexpr auto members() {
     using p = serial_port_parameters;
     using ph::member, ph::range;
@@ -27,7 +23,7 @@ struct serial_port_parameters {
         member("device", &p::device), member("baud", &p::baud, "bit/s"),
         member("open_timeout", &p::open_timeout, "s", range::positive).suspicious_above(600));
   }
-  /// It has a device, at a rate that serial ports have.
+  /// Requires a device and a supported rate.
   std::string rules() const {
     if (device.empty()) return "device is empty, expected the file of a serial port, as /dev/ttyACM0";
     return check_baud("baud [bit/s]", baud);
@@ -35,7 +31,7 @@ struct serial_port_parameters {
 };
 using ph::validate;
 
-/// The message for a device that sends no name but `bytes` bytes came with so many whole frames in them.
+/// Error text for a device without a hello, after `bytes` bytes with so many complete frames.
 inline std::string error_of_silence(const serial_port_parameters& p, std::size_t bytes, std::size_t frames) {
   const std::string start = "no answer in " + std::to_string(std::lround(1e3 * p.open_timeout)) + " ms; ";
   if (bytes == 0)
@@ -47,7 +43,7 @@ inline std::string error_of_silence(const serial_port_parameters& p, std::size_t
   return start + "samples came: the way to the device is cut, check the line";
 }
 
-/// What is wrong with the device that sent a hello; empty if nothing.
+/// Error text of a hello, empty if there is none.
 inline std::string error_of_hello(const serial::hello& h, int encoders, int brakes) {
   const auto counted = [](int n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");

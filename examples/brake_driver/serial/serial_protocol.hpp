@@ -1,6 +1,5 @@
-/// @file
-/// The messages between a host and a brake controller on a serial line, in frames of serial_framing.hpp.
-/// docs/guide/serial_protocol.md specifies them byte by byte.
+/// Messages between a host and a brake controller on a serial line, in frames of serial_framing.hpp.
+/// Specified in docs/guide/serial_protocol.md.
 #pragma once
 
 #include <serial/serial_framing.hpp>
@@ -8,49 +7,47 @@
 namespace example::serial {
 
 inline constexpr std::uint8_t protocol_version = 1;
-inline constexpr std::size_t max_channels = 8;        ///< Brakes, and encoders, of one device.
-inline constexpr double current_unit = 1e-4;          ///< Of currents on the line [A].
-inline constexpr std::uint16_t max_current = 0xFFFF;  ///< What a message can carry [current_unit].
+inline constexpr std::size_t max_channels = 8;        ///< Maximum brakes and encoders of a device.
+inline constexpr double current_unit = 1e-4;          ///< Unit of currents [A].
+inline constexpr std::uint16_t max_current = 0xFFFF;  ///< Maximum in a message [current_unit].
 
-/// The first byte of a packet. The high bit: from the device.
+/// First byte of a packet; the high bit marks the device.
 enum class message_type : std::uint8_t {
-  ask = 0x01,       ///< Host: who are you? No content.
-  currents = 0x02,  ///< Host: these currents, until further notice or the watchdog.
+  ask = 0x01,       ///< Host: requests the hello. No content.
+  currents = 0x02,  ///< Host: currents until further notice or the watchdog.
   release = 0x03,   ///< Host: 0 A. No content.
-  hello = 0x81,     ///< Device: what it sends for an `ask`.
-  sample = 0x82,    ///< Device: encoders and state, once a period.
+  hello = 0x81,     ///< Device: answer to `ask`.
+  sample = 0x82,    ///< Device: encoders and state, once per period.
 };
 
-/// Currents of all brakes.
 struct currents {
-  std::uint8_t brakes = 0;                            ///< How many count.
+  std::uint8_t brakes = 0;                            ///< Number of currents.
   std::array<std::uint16_t, max_channels> current{};  ///< [current_unit]
   bool operator==(const currents&) const = default;
 };
 
-/// What a device is.
+/// Properties of a device.
 struct hello {
-  std::uint8_t version = protocol_version;  ///< First in any version of this message.
+  std::uint8_t version = protocol_version;  ///< First in all versions of this message.
   std::uint8_t encoders = 0;                ///< How many.
   std::uint8_t brakes = 0;                  ///< How many.
-  std::uint16_t current_limit = 0;          ///< It cuts currents here [current_unit].
-  std::uint16_t watchdog = 0;               ///< Without currents for so long it goes to 0 A [ms].
-  std::uint16_t period = 0;                 ///< Of samples [us].
+  std::uint16_t current_limit = 0;          ///< Limit of currents [current_unit].
+  std::uint16_t watchdog = 0;               ///< Time without currents until 0 A [ms].
+  std::uint16_t period = 0;                 ///< Period of samples [us].
   bool operator==(const hello&) const = default;
 };
 
-/// Encoders and state at one time.
+/// Encoders and state.
 struct sample {
-  static constexpr std::uint8_t active = 1;  ///< In `state`: currents are on; else 0 A.
-  static constexpr std::uint8_t tripped =
-      2;  ///< In `state`: the watchdog went off, and no release came since.
-  static constexpr std::uint8_t limited = 4;  ///< In `state`: the last currents were cut at the limit.
+  static constexpr std::uint8_t active = 1;   ///< In `state`: currents are applied; else 0 A.
+  static constexpr std::uint8_t tripped = 2;  ///< In `state`: the watchdog tripped, without a release since.
+  static constexpr std::uint8_t limited = 4;  ///< In `state`: the last currents were limited.
 
-  std::uint8_t encoders = 0;        ///< How many count.
-  std::uint32_t time = 0;           ///< When the counts were latched, the device's clock, modulo 2^32 [us].
+  std::uint8_t encoders = 0;        ///< Number of encoders.
+  std::uint32_t time = 0;           ///< Latching time of the counts, device clock, modulo 2^32 [us].
   std::uint8_t state = 0;           ///< The bits above.
-  std::uint8_t encoder_faults = 0;  ///< Bit i: counts of encoder i are not to be trusted.
-  std::uint8_t brake_faults = 0;    ///< Bit i: brake i does not get its current.
+  std::uint8_t encoder_faults = 0;  ///< Bit i: counts of encoder i are invalid.
+  std::uint8_t brake_faults = 0;    ///< Bit i: brake i does not receive its current.
   std::array<std::int32_t, max_channels> count{};  ///< Modulo 2^32.
   bool operator==(const sample&) const = default;
 };
@@ -65,7 +62,7 @@ constexpr packet packed(message_type type, std::uint32_t sequence) {
   return p;
 }
 constexpr bool is(const packet& p, message_type type) { return p.type == static_cast<std::uint8_t>(type); }
-// How many values of `bytes` bytes follow `head` bytes; 0 if that does not come out even.
+// Number of values of `bytes` bytes after `head` bytes; 0 for a fraction.
 constexpr std::uint8_t values(const packet& p, std::size_t head, std::size_t bytes) {
   const bool whole = p.size > head && (p.size - head) % bytes == 0 && (p.size - head) / bytes <= max_channels;
   return whole ? static_cast<std::uint8_t>((p.size - head) / bytes) : std::uint8_t{0};
@@ -75,7 +72,6 @@ constexpr std::uint8_t values(const packet& p, std::size_t head, std::size_t byt
 /// A message without content: `ask` or `release`.
 constexpr packet pack(std::uint32_t sequence, message_type type) { return detail::packed(type, sequence); }
 
-/// Currents.
 constexpr packet pack(std::uint32_t sequence, const currents& m) {
   packet p = detail::packed(message_type::currents, sequence);
   byte_writer out(p.payload);
@@ -84,7 +80,6 @@ constexpr packet pack(std::uint32_t sequence, const currents& m) {
   return p;
 }
 
-/// A hello.
 constexpr packet pack(std::uint32_t sequence, const hello& m) {
   packet p = detail::packed(message_type::hello, sequence);
   byte_writer out(p.payload);
@@ -98,7 +93,6 @@ constexpr packet pack(std::uint32_t sequence, const hello& m) {
   return p;
 }
 
-/// A sample.
 constexpr packet pack(std::uint32_t sequence, const sample& m) {
   packet p = detail::packed(message_type::sample, sequence);
   byte_writer out(p.payload);
@@ -112,10 +106,10 @@ constexpr packet pack(std::uint32_t sequence, const sample& m) {
   return p;
 }
 
-/// Is it this message without content?
+/// True for this message without content.
 constexpr bool unpack(const packet& p, message_type type) { return detail::is(p, type) && p.size == 0; }
 
-/// Is it currents? Then fills m.
+/// Decodes currents; false for other messages.
 constexpr bool unpack(const packet& p, currents& m) {
   const std::uint8_t n = detail::values(p, 0, 2);
   if (!detail::is(p, message_type::currents) || n == 0) return false;
@@ -126,7 +120,7 @@ constexpr bool unpack(const packet& p, currents& m) {
   return true;
 }
 
-/// Is it a hello? Then fills m; of another version the version only, whatever else it holds.
+/// Decodes a hello; only the version if that differs. False for other messages.
 constexpr bool unpack(const packet& p, hello& m) {
   if (!detail::is(p, message_type::hello) || p.size == 0) return false;
   byte_reader in(p.content());
@@ -141,7 +135,7 @@ constexpr bool unpack(const packet& p, hello& m) {
   return p.size == detail::hello_size;
 }
 
-/// Is it a sample? Then fills m.
+/// Decodes a sample; false for other messages.
 constexpr bool unpack(const packet& p, sample& m) {
   const std::uint8_t n = detail::values(p, detail::sample_head, 4);
   if (!detail::is(p, message_type::sample) || n == 0) return false;

@@ -1,4 +1,4 @@
-// Figs. 8 to 10: eight panels over the path along the wall, one colour a law.
+// Figs. 8 to 10: eight panels over the path along the wall, one colour per law.
 #include "../surface.hpp"
 #include "picture_style.hpp"
 #include "pictures.hpp"
@@ -14,7 +14,7 @@ namespace experiments {
 namespace {
 
 constexpr int surface_points = 101;
-constexpr std::size_t alpha_mean = 8;  // instants of the trace: 40 ms, two time constants of the brakes
+constexpr std::size_t alpha_mean = 8;  // samples of the trace: 40 ms, two time constants of the brakes
 
 struct extent {
   style::range x, y, depth, normal, tangential, torque;
@@ -52,7 +52,7 @@ std::string figure_table(const test_wall& wall, const std::vector<named_run>& ru
   return csv.str();
 }
 
-// A law and what came out: the legend.
+// Legend: a law and its figures.
 std::vector<style::entry> entries_of(const std::vector<named_run>& runs) {
   std::vector<style::entry> entries;
   for (const auto& [law, run] : runs) {
@@ -80,7 +80,7 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
     }
     return text.str() + "\n";
   };
-  // At the same place beside each panel, however wide its numbers are
+  // A fixed position next to each panel, independent of the width of its numbers
   const auto label = [](const std::string& text) {
     return "set label 1 " + style::quoted(text) + " at graph -0.145,0.5 center rotate\n";
   };
@@ -93,7 +93,7 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
   const std::string last_row = "set xlabel 'x [m]' offset 0,0.4\nset format x '%.2f'\n",
                     other_rows = "unset xlabel\nset format x ''\n";
   const auto entries = entries_of(runs);
-  std::ostringstream depth;  // downwards, as the hand sinks into the wall
+  std::ostringstream depth;  // downwards, as depth into the wall
   depth << "set yrange [" << e.depth.high() << ":" << e.depth.low()
         << "]\nset label 2 'inside the wall' at graph "
         << "0.98,0.08 right front textcolor rgb '#555555'\n";

@@ -1,4 +1,4 @@
-// The tendon device along a wall, frame by frame.
+// The tendon device along a wall in frames.
 #include "../surface.hpp"
 #include "picture_style.hpp"
 #include "pictures.hpp"
@@ -17,7 +17,7 @@ std::size_t last_of_frame(const run_result& run, std::size_t frame) {
   return (run.trace.size() - 1) * (frame + 1) / frames;
 }
 
-// Two blocks a frame: links, trace so far.
+// Two blocks per frame: links, trace so far.
 void add_frame(style::table& csv, const test_wall& wall, const named_run& r, std::size_t frame) {
   const ph::tendon_two_link<double> arm;
   const std::size_t last = last_of_frame(r.run, frame);

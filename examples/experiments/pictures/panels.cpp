@@ -32,7 +32,7 @@ std::size_t key_lines(const panels& p) {
   return most;
 }
 
-// Later curves are thinner, so that one that coincides with an earlier one hides nothing.
+// Later curves are thinner, so that coinciding curves stay visible.
 std::string how(const panels& p, const curve& c, std::size_t place) {
   std::ostringstream text;
   const double thinner = 0.9 * static_cast<double>(std::min<std::size_t>(place, 3));
@@ -75,7 +75,7 @@ void draw_panels(const std::filesystem::path& directory, const panels& p) {
   const double height = head + foot + static_cast<double>(rows) * (p.row_height + keys) +
                         static_cast<double>(rows - 1) * between;
   std::vector<style::entry> entries;
-  // A panel's own key names its laws
+  // A panel's own key has the names of its laws
   for (const std::string& law : keys > 0 ? std::vector<std::string>() : laws)
     entries.push_back({law, style::colour_of(law)});
   if (!p.dashed_means.empty()) entries.push_back({p.dashed_means, "#666666", "(6,4)"});

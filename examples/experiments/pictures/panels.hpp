@@ -1,4 +1,4 @@
-// Pictures of panels side by side with a curve for each law.
+// Pictures of panels with a curve per law.
 #pragma once
 
 #include <filesystem>
@@ -23,15 +23,15 @@ struct panel {
 enum class line_style { lines, points_on_lines, steps };
 
 struct panels {
-  std::string name, title;  // of the file, over the picture
+  std::string name, title;  // of the file, above the picture
   int columns = 1;
   int width = 1200, row_height = 400;  // [px]
   line_style style = line_style::lines;
   bool log_x = false, log_y = false;
   bool common_x = false;
-  bool common_y = false;          // one scale for all, read at the left
+  bool common_y = false;          // one scale for all, at the left
   std::string dashed_means = {};  // in the legend
-  std::string settings = {};      // more of gnuplot
+  std::string settings = {};      // additional gnuplot commands
   std::vector<panel> all = {};
 };
 

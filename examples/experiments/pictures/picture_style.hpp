@@ -1,4 +1,4 @@
-// What the pictures of the experiments share: colours, text, tables that gnuplot reads.
+// Common style of the pictures: colours, text, tables for gnuplot.
 #pragma once
 
 #include "../laws.hpp"
@@ -29,7 +29,7 @@ inline std::string quoted(const std::string& text) {
   return q + "'";
 }
 
-// Text stands as it is written: a name may hold an underscore.
+// No markup: names may contain underscores.
 inline std::string terminal(int width, int height) {
   std::ostringstream script;
   script << "set encoding utf8\nset terminal svg noenhanced size " << width << "," << height
@@ -38,8 +38,8 @@ inline std::string terminal(int width, int height) {
   return script.str();
 }
 
-// A legend over the whole width of a picture, set before its first panel and taken away after it: gnuplot's
-// own key is as narrow as a panel.
+// A legend over the whole width of a picture, set before its first panel and removed after it, because
+// gnuplot's key is as narrow as a panel.
 struct entry {
   std::string name, colour, dashes = "solid";
   int width = 3;  // an area takes area_width
@@ -84,7 +84,7 @@ class table {
   std::ostringstream text_;
 };
 
-// `set yrange` over what was added, with a margin.
+// `set yrange` for the added values, with a margin.
 class range {
  public:
   void add(double value) {
@@ -108,7 +108,7 @@ class range {
   double low_ = HUGE_VAL, high_ = -HUGE_VAL;
 };
 
-// Throws std::invalid_argument if there is nothing to draw.
+// Throws std::invalid_argument without data.
 template <class Runs>
 void require_traces(const std::string& name, const Runs& runs) {
   bool all = !runs.empty();
@@ -116,7 +116,7 @@ void require_traces(const std::string& name, const Runs& runs) {
   if (!all) throw std::invalid_argument("no runs to draw in " + name);
 }
 
-// The names in the order in which they are first met.
+// The distinct names in order of appearance.
 template <class Rows, class Name>
 auto distinct(const Rows& rows, Name name) {
   std::vector<std::decay_t<decltype(name(rows.front()))>> found;

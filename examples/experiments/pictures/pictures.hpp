@@ -1,5 +1,4 @@
-// Pictures of the experiments. Each function writes NAME.csv, NAME.gp and, where gnuplot is installed,
-// NAME.svg.
+// Pictures of the experiments. Each function writes NAME.csv, NAME.gp and, if gnuplot is installed, NAME.svg.
 #pragma once
 
 #include "../planar.hpp"
@@ -22,27 +21,26 @@ struct named_run {
 void draw_figure(const std::filesystem::path& directory, const std::string& name, const std::string& title,
                  const test_wall& wall, const std::vector<named_run>& runs);
 
-// Fig. 5 (b), without and with direct control: pull_back.svg. The force that the tendon device makes is
-// simulated.
+// Fig. 5 (b), without and with direct control: pull_back.svg. The force of the tendon device is simulated.
 void draw_pull_back(const std::filesystem::path& directory);
 
-// The tendon device along the wall: a row a law, time from left to right.
+// The tendon device along the wall: one row per law, time from left to right.
 void draw_filmstrip(const std::filesystem::path& directory, const std::string& name, const std::string& title,
                     const test_wall& wall, const std::vector<named_run>& runs);
 
-// How deep the first contact goes (section 5.2).
+// Depth of the first contact (section 5.2).
 struct penetration_row {
   std::string law;
   double lag, approach, max_depth;  // of the brakes [s], speed into the wall [m/s], [m]
 };
-// Against the lag at the approach that most rows have, and against the approach at the lag that most rows
-// have: penetration.svg.
+// Over the lag at the most frequent approach, and over the approach at the most frequent lag:
+// penetration.svg.
 void draw_penetration(const std::filesystem::path& directory, const std::vector<penetration_row>& rows);
 
-// Conclusion 1: force approximation and delay, alone and together.
+// Conclusion 1: force approximation and delay, separately and together.
 struct slant_row {
   double slant_degrees;
-  std::string cell, law;  // cell: which delays there are
+  std::string cell, law;  // cell: the delays
   ph::contact_metrics figures;
 };
 void draw_slants(const std::filesystem::path& directory, const std::vector<slant_row>& rows);  // slants.svg
@@ -54,7 +52,7 @@ struct batch_row {
 };
 void draw_batch(const std::filesystem::path& directory, const std::vector<batch_row>& rows);  // batch.svg
 
-// A run in space: way made [m], depth in each wall [m].
+// A spatial run: distance along the path [m], depth in each wall [m].
 struct space_row {
   std::string device, wall, law;
   std::vector<std::pair<double, std::vector<double>>> trace;

@@ -1,4 +1,4 @@
-// Fig. 5 (b): the tendon device locks its brake 2 inside a wall, and what direct control makes of it.
+// Fig. 5 (b): the tendon device with brake 2 locked inside a wall, and the effect of direct control.
 #include "picture_style.hpp"
 #include "pictures.hpp"
 
@@ -26,7 +26,7 @@ const ph::half_space<2> surface({0, wall_y}, {0, -1});
 
 struct still {
   plane_vector handle, elbow, normal;
-  plane_vector brake_force;  // that the brakes make [N]
+  plane_vector brake_force;  // of the brakes [N]
   std::vector<plane_vector> cone;
   ph::step_result<arm_type> control;
 };
@@ -47,11 +47,11 @@ std::vector<plane_vector> cone_outline(const plane_vector& apex, const ph::matri
 still press(bool under_direct_control) {
   const arm_type arm;
   ph::brakes_of<arm_type> brakes;
-  brakes.time_constant.setZero();  // a still picture: the brakes have come to their command
+  brakes.time_constant.setZero();  // a still picture: the lag is over
   const plane_vector x(handle_x, wall_y + depth);
   const auto q = arm.inverse(x, ph::elbow::left).q;
 
-  // Brake 2 is locked: the handle can only move along the first column of E
+  // With brake 2 locked, the handle only moves along the first column of E
   plane_vector v = ph::brake_jacobian(arm, q).col(0);
   v *= (v[0] > 0 ? speed : -speed) / v.norm();
   const ph::matrix<double, 2, 2> J(ph::jacobian(arm, q));
@@ -99,7 +99,7 @@ std::string text(const char* format, double value) {
   return line;
 }
 
-// Names stand beside the middle of their arrows; a number says what the picture shows.
+// Names are next to the middle of their arrows; a number states the result.
 std::string labels(const still& s) {
   std::ostringstream script;
   int number = 0;

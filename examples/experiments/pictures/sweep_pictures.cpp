@@ -1,4 +1,4 @@
-// What many runs say together: penetration, conclusion 1, random plants, runs in space.
+// Combined results of many runs: penetration, conclusion 1, random plants, spatial runs.
 #include "panels.hpp"
 #include "picture_style.hpp"
 #include "pictures.hpp"
@@ -14,7 +14,7 @@ constexpr double min_shown = 1e-7;  // on a logarithmic scale [m]
 
 double in_mm(double metres) { return 1e3 * std::max(metres, min_shown); }
 
-// The value that most rows have; the least one if several do.
+// The most frequent value; the minimum of several.
 template <class Rows, class Value>
 double commonest(const Rows& rows, Value value) {
   std::map<double, int> count;

@@ -1,4 +1,4 @@
-// Brakes that are locked or free turn the handle towards a wanted direction of motion.
+// Bang-bang control: locked or free brakes turn the handle towards the desired direction of motion.
 #pragma once
 
 #include "intended_rates.hpp"
@@ -11,13 +11,12 @@ namespace experiments {
 
 // Constants of bang_bang_control.
 struct bang_bang_parameters {
-  double reference_depth = 1e-3;      // In the wall, to which the wanted direction leads [m].
-  double approach_length = 2e-3;      // Depth error for a slope of 1 of the wanted direction [m].
-  double approach_slope = 0.7;        // Of the wanted direction, far from the reference depth [1].
-  double approach_hysteresis = 0.6;   // Error of the slope at which a turn begins, far from it [1],
-  double following_hysteresis = 0.6;  // and near it.
+  double reference_depth = 1e-3;      // Depth to which the desired direction leads [m].
+  double approach_length = 2e-3;      // Depth error for a desired slope of 1 [m].
+  double approach_slope = 0.7;        // Desired slope far from the reference depth [1].
+  double approach_hysteresis = 0.6;   // Slope error at which a turn begins, far from the reference depth [1].
+  double following_hysteresis = 0.6;  // The same near it [1].
 
-  // The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = bang_bang_parameters;
     return ph::member_table(
@@ -29,45 +28,45 @@ struct bang_bang_parameters {
   }
 };
 
-// The slope of the motion, n . v / |v| against the wall, is compared with a wanted one, constant far from
-// the reference depth and proportional to the depth error e = depth - reference_depth near it:
+// The slope of the motion, n . v / |v|, is compared with a desired one, which is constant far from the
+// reference depth and proportional to the depth error e = depth - reference_depth near it:
 //
 //     error = clip(e / approach_length, +-approach_slope) - n . v / |v|.
 //
-// One of three states: straight on, all brakes free; turn out of the wall from error > h, turn into it from
-// error < -h, each until the error has changed its sign. h is approach_hysteresis where the wanted slope is
+// Three states: straight on with all brakes free; a turn out of the wall from error > h; a turn into it from
+// error < -h. A turn ends when the error changes sign. h is approach_hysteresis if the desired slope is
 // clipped, else following_hysteresis. A turn out locks each brake that moves the handle in, w_i (E^T n)_i <
-// 0, a turn in each that moves it out; a brake so locked stays locked for the turn.
+// 0, a turn in each that moves it out; locked brakes stay locked for the turn.
 //
-// For any mechanism. Needs nothing but the state; at rest there is no direction, and all brakes are free: a
-// hand that presses without moving along sinks. A hand that wants to leave is turned in, too. Of several
-// contacts the one that demands the largest force governs. Cost: E^T n.
+// For any mechanism. Uses only the state. At rest there is no direction and all brakes are free, so a hand
+// that presses without moving along the wall sinks. A hand that leaves is turned in, too. Of several contacts
+// the one with the maximum desired force counts. Cost: E^T n.
 //
 // Reference: Divan, Fontanelli, Palopoli, Hybrid feedback path following for robotic walkers via bang-bang
-// control actions, arXiv 1603.00295, 2016 (four actions of two brakes, far away a fixed angle of approach,
-// near the path one that depends on the state); Andreetto, Divan, Fontanelli, Palopoli, Passive robotic
-// walker path following with bang-bang hybrid control paradigm, IEEE/RSJ Int. Conf. on Intelligent Robots
-// and Systems, 2016 (three states, two independent hystereses, no force sensor). Their abstracts. Assumed:
-// the path is the surface at the reference depth; which brakes turn a device that is no walker; slopes for
-// angles; when a turn ends; all constants. They prove convergence for a walker, which goes forward and turns
-// with a fixed radius as soon as it brakes. That proof does not reach a device with inertia and lag.
+// control actions, arXiv 1603.00295, 2016 (four actions of two brakes; a fixed angle of approach far away,
+// one that depends on the state near the path); Andreetto, Divan, Fontanelli, Palopoli, Passive robotic
+// walker path following with bang-bang hybrid control paradigm, IEEE/RSJ Int. Conf. on Intelligent Robots and
+// Systems, 2016 (three states, two independent hystereses, no force sensor). Their abstracts. Assumed: the
+// path is the surface at the reference depth; the brakes that turn a device that is not a walker; slopes
+// instead of angles; the end of a turn; all constants. Their proof of convergence is for a walker that moves
+// forward and turns with a fixed radius as soon as it brakes; it does not cover a device with inertia and
+// lag.
 struct bang_bang_control {
-  static constexpr bool commands_torques = true;  // It is a TorqueLaw.
-  static constexpr bool needs_sensed_at = true;   // Carries a held contact on to where the handle is.
-  static constexpr int max_contacts = 8;          // Walls that it remembers at once.
-  static constexpr int max_brakes = 16;           // Of a device.
+  static constexpr bool commands_torques = true;  // A TorqueLaw.
+  static constexpr bool needs_sensed_at = true;   // Extrapolates held contacts.
+  static constexpr int max_contacts = 8;          // Maximum number of remembered walls.
+  static constexpr int max_brakes = 16;           // Maximum of a device.
 
-  // At one wall.
+  // State at one wall.
   struct steering {
     int turn = 0;                              // 1 out of the wall, -1 into it, 0 straight on.
-    std::array<bool, max_brakes> locked = {};  // Which brakes are.
+    std::array<bool, max_brakes> locked = {};  // Locked brakes.
   };
-  // What it remembers.
   struct memory {
-    ph::contact_memory<steering, max_contacts> walls;  // Of each wall.
+    ph::contact_memory<steering, max_contacts> walls;  // State of each wall.
   };
 
-  bang_bang_parameters parameters = {};  // The constants.
+  bang_bang_parameters parameters = {};
 
   // Distance from a wall at which its contact is needed [m].
   template <class B>

@@ -1,4 +1,4 @@
-// The brakes that move into the wall are held, so that the remaining motion leads out.
+// Holds the brakes that move into the wall, so that the remaining motion leads out.
 #pragma once
 
 #include "intended_rates.hpp"
@@ -8,24 +8,23 @@
 
 namespace experiments {
 
-// Each brake takes its own part of the desired force, or none where it would have to drive:
+// Each brake takes its part of the desired force, or none if it would have to drive:
 //
 //     t_i = (E^T Fd)_i  if  s_i (E^T Fd)_i <= 0,   else 0.
 //
-// That is Fd itself in passive region I. Elsewhere the brakes that move the handle into the wall are held
-// and the others let go, so that the motion that is left, v = sum_i E e_i w_i over the latter, has n . v >=
-// 0: a hand that pushes on is led out of the wall, also where no force of the cone has a component along Fd
-// and an approximation displays nothing. Of several contacts each brake takes the largest of its parts.
+// This is Fd itself in passive region I. Otherwise the brakes that move the handle into the wall are held and
+// the others released. The remaining motion, v = sum_i E e_i w_i over the latter, has n . v >= 0: a pushing
+// hand is led out of the wall, even if no force of the cone has a component along Fd. Of several contacts
+// each brake takes the maximum part.
 //
-// For as many brakes as joints. Needs nothing but the state; cost: E^T n for each contact.
+// For as many brakes as joints. Uses only the state. Cost: E^T n per contact.
 //
 // Reference: Cho, Song, Kim, Design and control of a planar haptic device with passive actuators based on
 // passive force manipulability ellipsoid (FME) analysis, J. Robotic Systems 22 (9), 2005, 475-486 (its
-// abstract). Assumed: how hard a brake is held (its part of Fd, so that stiff walls lock it); every brake is
-// judged alone, which makes it the same in any dimension; the rates are those of the device, also at moving
-// walls.
+// abstract). Assumed: the holding torque (the brake's part of Fd, so that stiff walls lock it); each brake is
+// judged separately, in any dimension; the rates are those of the device, also at moving walls.
 struct coercive_force_approximation {
-  static constexpr bool commands_torques = true;  // It is a TorqueLaw.
+  static constexpr bool commands_torques = true;  // A TorqueLaw.
 
   // Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>

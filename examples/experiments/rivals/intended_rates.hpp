@@ -1,4 +1,4 @@
-// Which way each brake turns, or is about to turn.
+// Signs of actual or impending brake motion.
 #pragma once
 
 #include <passive_haptics/passive_haptics.hpp>
@@ -7,9 +7,9 @@ namespace experiments {
 
 namespace ph = passive_haptics;
 
-// Rates of the brakes [rad/s or m/s], those at rest taken to turn at their dead band where the hand pushes
-// them; 0 where nobody pushes. So E times it has the direction in which the handle moves, or would if it
-// were let go.
+// Rates of the brakes [rad/s or m/s]. Brakes at rest count as moving at their dead band in the direction of
+// the hand torque, 0 without one. E times this vector has the direction of the handle's motion, actual or
+// after a release.
 template <class M, class EMatrix, class B>
 ph::brake_vector<M> intended_rates(const ph::brake_situation<M, EMatrix, B>& device) {
   using T = typename M::scalar;
@@ -21,7 +21,7 @@ ph::brake_vector<M> intended_rates(const ph::brake_situation<M, EMatrix, B>& dev
   return w;
 }
 
-// The torque [N m] that makes a brake of sign s hold with `capacity`; either way where s = 0.
+// Torque [N m] of a brake with sign s that holds with `capacity`; either sign for s = 0.
 template <class T>
 T holding_torque(T s, T capacity) {
   return s > T(0) ? -capacity : capacity;

@@ -1,4 +1,4 @@
-// One brake is locked, and the handle follows its path.
+// Locks one brake, so that the handle follows its path.
 #pragma once
 
 #include "intended_rates.hpp"
@@ -9,10 +9,9 @@ namespace experiments {
 
 // Constants of single_degree_of_freedom_control.
 struct single_degree_of_freedom_parameters {
-  double reference_depth = 1e-3;  // In the wall, that the handle follows [m].
-  double band = 0.3e-3;           // Half width of the band about it, in which the locked brake is kept [m].
+  double reference_depth = 1e-3;  // Depth that the handle follows [m].
+  double band = 0.3e-3;           // Half width of the depth band in which the locked brake is kept [m].
 
-  // The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = single_degree_of_freedom_parameters;
     return ph::member_table(ph::member("reference_depth", &p::reference_depth, "m", ph::range::finite),
@@ -20,42 +19,40 @@ struct single_degree_of_freedom_parameters {
   }
 };
 
-// Locks one brake i, so that the handle moves as the others let it: on a path in the plane,
+// Locks one brake i, so that the others allow motion on a planar path,
 //
 //     v_i = E (w - e_i w_i).
 //
 // With slope_i = n . v_i / |v_i| and the depth error e = depth - reference_depth:
 //
-//   - e > band: the flattest path out, 0 <= slope_i; all brakes are locked where every path leads in;
-//   - e < -band: the flattest path in, slope_i <= 0; where there is none, the flattest out;
-//   - else the brake that is locked already; at first the one of the flattest path.
+//   - e > band: the flattest path out, 0 <= slope_i; all brakes are locked if every path leads in;
+//   - e < -band: the flattest path in, slope_i <= 0; if there is none, the flattest out;
+//   - else the brake that is already locked; at first that of the flattest path.
 //
-// The handle zigzags within the band. A hand that wants to leave the wall must follow the path, too.
-// For m = n = d >= 2. In space the handle follows a surface, that of the one locked brake. Of several
-// contacts the one that demands the largest force governs. Needs the hand force (which way a brake at rest
-// would turn); cost: E w.
+// The handle zigzags within the band. A hand that leaves the wall must follow the path, too. For m = n = d >=
+// 2. Spatial handles follow a surface, that of the locked brake. Of several contacts the one with the maximum
+// desired force counts. Uses the hand force (for the direction of a brake at rest). Cost: E w.
 //
 // Reference: Swanson and Book, Obstacle avoidance methods for a passive haptic display, IEEE/ASME Int. Conf.
-// on Advanced Intelligent Mechatronics, 2001, 1187-1192; the band: Sakaguchi, Furusho, Takesue, Passive
-// force display using ER brakes and its control experiments, Virtual Reality 2001, 7-12. Both as the paper
-// describes them. Assumed: the reference depth, the band's width, the flattest path among several, that the
-// capacity of a locked brake is its torque limit.
+// on Advanced Intelligent Mechatronics, 2001, 1187-1192; the band: Sakaguchi, Furusho, Takesue, Passive force
+// display using ER brakes and its control experiments, Virtual Reality 2001, 7-12. Both as described by the
+// paper. Assumed: the reference depth, the band's width, the flattest path among several, a capacity of a
+// locked brake equal to its torque limit.
 struct single_degree_of_freedom_control {
-  static constexpr bool needs_hand_force = true;  // Needs a force sensor at the handle.
-  static constexpr bool commands_torques = true;  // It is a TorqueLaw.
-  static constexpr bool needs_sensed_at = true;   // Carries a held contact on to where the handle is.
-  static constexpr int max_contacts = 8;          // Walls that it remembers at once.
+  static constexpr bool needs_hand_force = true;  // Requires a force sensor at the handle.
+  static constexpr bool commands_torques = true;  // A TorqueLaw.
+  static constexpr bool needs_sensed_at = true;   // Extrapolates held contacts.
+  static constexpr int max_contacts = 8;          // Maximum number of remembered walls.
 
-  // Of one wall.
+  // State at one wall.
   struct locked_brake {
-    int brake = -1;  // Which is locked; < 0 for none in particular.
+    int brake = -1;  // Locked brake; < 0 for none in particular.
   };
-  // What it remembers.
   struct memory {
-    ph::contact_memory<locked_brake, max_contacts> walls;  // The brake locked at each.
+    ph::contact_memory<locked_brake, max_contacts> walls;  // Locked brake at each wall.
   };
 
-  single_degree_of_freedom_parameters parameters = {};  // The constants.
+  single_degree_of_freedom_parameters parameters = {};
 
   // Distance from a wall at which its contact is needed [m].
   template <class B>
@@ -91,7 +88,7 @@ struct single_degree_of_freedom_control {
  private:
   static constexpr int all = -2;
 
-  // Sines of the angles at which the handle leaves the wall with brake i locked; 0 where that stops it
+  // Sines of the angles at which the handle leaves the wall with brake i locked; 0 if that stops it
   template <class M, class EMatrix, int D, class B>
   static ph::brake_vector<M> slopes(const ph::brake_situation<M, EMatrix, B>& device,
                                     const ph::contact<D>& c) {

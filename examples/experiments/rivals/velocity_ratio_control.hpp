@@ -1,4 +1,4 @@
-// The wanted direction of motion is a ratio of the brakes' rates; a brake that is too fast is braked.
+// The desired direction of motion is a ratio of brake rates; brakes that are too fast are braked.
 #pragma once
 
 #include "intended_rates.hpp"
@@ -10,12 +10,11 @@ namespace experiments {
 
 // Constants of velocity_ratio_control.
 struct velocity_ratio_parameters {
-  double reference_depth = 1e-3;   // In the wall, to which the wanted direction leads [m].
-  double approach_length = 10e-3;  // Depth error for a slope of 1 of the wanted direction [m].
-  double max_slope = 0.2;          // Of the wanted direction against the wall [1].
-  double gain = 1;                 // Share of the torque limit for each share that a brake is too fast [1].
+  double reference_depth = 1e-3;   // Depth to which the desired direction leads [m].
+  double approach_length = 10e-3;  // Depth error for a desired slope of 1 [m].
+  double max_slope = 0.2;          // Maximum desired slope [1].
+  double gain = 1;                 // Share of the torque limit per share by which a brake is too fast [1].
 
-  // The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = velocity_ratio_parameters;
     return ph::member_table(ph::member("reference_depth", &p::reference_depth, "m", ph::range::finite),
@@ -25,32 +24,32 @@ struct velocity_ratio_parameters {
   }
 };
 
-// The wanted velocity keeps the part of v along the wall, v_t, and leads to the reference depth:
+// The desired velocity keeps the part of v along the wall, v_t, and leads to the reference depth:
 //
 //     v* = v_t + clip((depth - reference_depth) / approach_length, +-max_slope) |v_t| n,   w* = E^+ v*.
 //
-// Of the brakes that turn the right way the slowest against w* sets the common factor, lambda = min w_i /
-// w*_i; the others are too fast by the share 1 - lambda w*_i / w_i, those that turn the wrong way by 1. Each
-// is braked in proportion to it:
+// Of the brakes with the right sign, the slowest relative to w* sets the common factor, lambda = min w_i /
+// w*_i; the others are too fast by the share 1 - lambda w*_i / w_i, those with the wrong sign by 1. Each is
+// braked in proportion:
 //
 //     t_i = -s_i limit_i min(1, gain share_i).
 //
-// A brake cannot be sped up, so the whole device is slowed by its slowest brake, which is free. A hand that
-// presses without moving along sinks with it: by 7 to 37 mm in 1 s in simulations. For as
-// many brakes as joints. Of several contacts the one that demands the largest force governs. Needs the hand
-// force (which way a brake at rest would turn); cost: one orthogonal decomposition of d x m.
+// Brakes cannot accelerate, so the whole device is slowed to its slowest brake, which is free. A hand that
+// presses without moving along sinks with it: by 7 to 37 mm in 1 s in simulations. For as many brakes as
+// joints. Of several contacts the one with the maximum desired force counts. Uses the hand force (for the
+// direction of a brake at rest). Cost: one orthogonal decomposition of d x m.
 //
 // Reference: Book, Charles, Davis, Gomes, The concept and implementation of a passive trajectory enhancing
 // robot, ASME Dynamic Systems and Control Division, 1996, 633-638; Davis and Book, Torque control of a
-// redundantly actuated passive manipulator, American Control Conference, 1997, 959-963. Both as the paper
-// describes them. Assumed: the reference depth, the correction towards it, a braking that is proportional to
-// the share (so that it has no unit), E^+ for more joints than task dimensions.
+// redundantly actuated passive manipulator, American Control Conference, 1997, 959-963. Both as described by
+// the paper. Assumed: the reference depth, the correction towards it, braking in proportion to the share (so
+// that it has no unit), E^+ for more joints than task dimensions.
 struct velocity_ratio_control {
-  static constexpr bool needs_hand_force = true;  // Needs a force sensor at the handle.
-  static constexpr bool commands_torques = true;  // It is a TorqueLaw.
-  static constexpr bool needs_sensed_at = true;   // Carries a held contact on to where the handle is.
+  static constexpr bool needs_hand_force = true;  // Requires a force sensor at the handle.
+  static constexpr bool commands_torques = true;  // A TorqueLaw.
+  static constexpr bool needs_sensed_at = true;   // Extrapolates held contacts.
 
-  velocity_ratio_parameters parameters = {};  // The constants.
+  velocity_ratio_parameters parameters = {};
 
   // Distance from a wall at which its contact is needed [m].
   template <class B>

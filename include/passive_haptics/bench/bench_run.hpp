@@ -1,5 +1,4 @@
-/// @file
-/// Records a test of one brake through a port and a torque sensor.
+/// Recording of a brake test through a port and a torque sensor.
 #pragma once
 
 #include <passive_haptics/bench/bench_sample.hpp>
@@ -15,22 +14,21 @@
 
 namespace passive_haptics {
 
-/// A test bench: which brake, and units of its encoder and its torque sensor.
+/// Parameters of a test bench.
 struct bench_parameters {
-  int brake = 0;                 ///< Of the port, from 0.
-  int encoder = 0;               ///< On its axis, from 0.
-  int channel = 0;               ///< Of the torque sensor, from 0.
-  double radians_per_count = 1;  ///< [rad]; < 0 where counts fall in the positive sense.
-  double torque_per_unit = 1;    ///< Of the sensor [N m]; < 0 where it reads a pull in the positive sense.
-  double torque_at_zero = 0;     ///< Its reading while nothing pulls [N m].
-  double current_limit = 1;      ///< No test goes beyond [A].
-  double settling_time = 0.5;    ///< Of the brake under the first current, before the record begins [s].
-  double max_rate = 2e5;         ///< Of the encoder: faster is a jump [counts/s].
-  double max_reading = std::numeric_limits<double>::infinity();  ///< There the sensor is saturated.
-  double hold_over = 0.1;  ///< Longest time without a new good sample, or while writes are refused [s].
-  int max_missed = 100;    ///< Periods in a row without a new good sample, then the test ends.
+  int brake = 0;                 ///< Brake of the port, from 0.
+  int encoder = 0;               ///< Encoder on its axis, from 0.
+  int channel = 0;               ///< Channel of the torque sensor, from 0.
+  double radians_per_count = 1;  ///< [rad]; < 0 if counts fall in the positive sense.
+  double torque_per_unit = 1;    ///< [N m]; < 0 if the sensor reads positive torques as negative.
+  double torque_at_zero = 0;     ///< Reading without load [N m].
+  double current_limit = 1;      ///< Maximum of all tests [A].
+  double settling_time = 0.5;    ///< Time at the first current before the record begins [s].
+  double max_rate = 2e5;         ///< Higher rates count as a jump [counts/s].
+  double max_reading = std::numeric_limits<double>::infinity();  ///< Saturation of the sensor.
+  double hold_over = 0.1;  ///< Maximum time without a new good sample, or with rejected writes [s].
+  int max_missed = 100;    ///< Maximum number of successive periods without a new good sample.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = bench_parameters;
     return member_table(
@@ -45,7 +43,7 @@ struct bench_parameters {
         member("hold_over", &p::hold_over, "s", range::positive),
         member("max_missed", &p::max_missed, "", range::between(1, 100000).as("1 to 100000")));
   }
-  /// The limits of a safe_port to this brake, encoder and channel.
+  /// Limits of a safe_port for this brake, encoder and channel.
   safe_port_parameters<1, 1> limits() const {
     return {.encoders = {.max_rate = max_rate},
             .sensor = {.range = {max_reading}},
@@ -95,7 +93,7 @@ struct bench_sensor {
   }
 };
 
-// The time after a wait that returns it, or else of CLOCK_MONOTONIC [s]
+// The time returned by wait(), or else CLOCK_MONOTONIC [s]
 template <class Wait>
 double time_after(Wait& wait) {
   if constexpr (std::is_void_v<decltype(wait())>) {
@@ -108,20 +106,18 @@ double time_after(Wait& wait) {
 
 }  // namespace detail
 
-/// The longest time that record_on_bench() takes beyond settling_time and duration [s, CLOCK_BOOTTIME].
+/// Maximum time of record_on_bench() beyond settling_time and duration [s, CLOCK_BOOTTIME].
 inline constexpr double max_bench_overtime = 1;
 
-/// The record of a test: gives the brake `current_at(t)` [A], t in [0, duration] s, while somebody turns its
-/// axis, and records each new sample; then releases. Before that it has current_at(0) for the settling_time.
-/// Port and sensor are open, and are read and written through a safe_port with p.limits(); the other brakes
-/// get 0 A. `wait()` is called before each read: until the next period is due. It returns the time then [s],
-/// on the clock of the samples, or nothing if that is CLOCK_MONOTONIC.
+/// Records a test: applies `current_at(t)` [A], t in [0, duration] s, to the brake while its axis is turned,
+/// after current_at(0) for the settling_time, and records each new sample. Port and sensor must be open; they
+/// are used through a safe_port with p.limits(). `wait()` returns when the next period is due, with that time
+/// [s] on the clock of the samples, or without a value for CLOCK_MONOTONIC.
 ///
-/// Throws std::invalid_argument with the text of validate(p), or where the port has no such brake, encoder or
-/// channel. Throws std::runtime_error that names the fault where the safe_port released the brake, or no good
-/// sample came for max_missed periods, and at the latest max_bench_overtime after the test should have
-/// ended. In any case the brakes are released. A wait, read or write that never returns keeps the current on:
-/// take a threaded_port, and run a supervisor.
+/// Throws std::invalid_argument with the text of validate(p), or for a brake, encoder or channel that does
+/// not exist. Throws std::runtime_error for a fault, after max_missed periods without a good sample, and
+/// max_bench_overtime after the expected end. The brakes are released in all cases, except by a call that
+/// never returns: use a threaded_port, and run a supervisor.
 template <BrakePort P, ForceSensor S, class Current, class Wait>
 std::vector<bench_sample> record_on_bench(P& port, S& sensor, const bench_parameters& p, double duration,
                                           const Current& current_at, Wait&& wait) {
@@ -132,7 +128,7 @@ std::vector<bench_sample> record_on_bench(P& port, S& sensor, const bench_parame
                           check_value("channel", p.channel, "", range::between(0, S::channel_count - 1)),
                           check_value("duration", duration, "s", range::positive)));
   const auto fail = [&](fault_record why) {
-    if (why.channel >= 0)  // by its number on the port or the sensor
+    if (why.channel >= 0)  // number on the port or the sensor
       why.channel = why.source == fault_source::encoders ? p.encoder
                     : why.source == fault_source::brakes ? p.brake
                                                          : p.channel;
@@ -143,7 +139,7 @@ std::vector<bench_sample> record_on_bench(P& port, S& sensor, const bench_parame
   if (const std::string error = bench.open(); !error.empty()) throw std::runtime_error(error);
 
   std::vector<bench_sample> all;
-  // This clock goes on while the machine is suspended
+  // This clock also runs while the machine is suspended
   const auto boot_seconds = [] { return 1e-9 * static_cast<double>(monotonic_clock().boot_time()); };
   const double begun = boot_seconds();
   const double longest = p.settling_time + duration + max_bench_overtime;

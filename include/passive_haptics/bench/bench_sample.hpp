@@ -1,5 +1,4 @@
-/// @file
-/// What a test bench records of one brake, and what is to be believed of it.
+/// Samples of a test bench and their checks.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -10,28 +9,27 @@
 
 namespace passive_haptics {
 
-/// One reading of a bench, on which a motor or a hand turns a brake's axis. Of a sliding brake m and N.
+/// One reading of a bench while a motor or a hand turns the brake's axis; m and N for a sliding brake.
 struct bench_sample {
   double time = 0;      ///< [s]
-  double current = 0;   ///< The last command to the brake before this reading [A].
-  double position = 0;  ///< Of the axis, as its encoder reports it [rad].
-  double torque = 0;    ///< Of the brake against a turn in the positive sense [N m].
+  double current = 0;   ///< Last command before this reading [A].
+  double position = 0;  ///< Axis position by its encoder [rad].
+  double torque = 0;    ///< Brake torque against a positive rotation [N m].
 };
 
-/// A constant that was found.
+/// An identified constant.
 struct estimate {
   double value = 0;  ///< In the unit of the constant.
-  /// Of the value; infinite where the samples do not determine it, 0 only of samples without noise.
+  /// Infinite if the samples do not determine the value; 0 only for samples without noise.
   double standard_error = 0;
 };
 
-/// The longest mean time between two samples of a test [s]: a longer one is milliseconds given as seconds.
+/// Maximum mean time between two samples of a test [s], which detects milliseconds.
 inline constexpr double max_sample_period = 0.2;
-/// The longest time constant of a brake [s]: a longer one is milliseconds given as seconds.
+/// Maximum time constant of a brake [s], which detects milliseconds.
 inline constexpr double max_time_constant = 5;
 
-/// What is wrong with a time constant of this name [s], where it is longer than max_time_constant; empty
-/// if nothing.
+/// Error text if the time constant [s] exceeds max_time_constant; empty otherwise.
 inline std::string check_time_constant(const char* name, double time_constant) {
   if (time_constant <= max_time_constant) return {};
   return detail::error_text(name, time_constant,
@@ -39,9 +37,8 @@ inline std::string check_time_constant(const char* name, double time_constant) {
                                             ": give the times of the samples in seconds, not milliseconds"));
 }
 
-/// Throws std::invalid_argument with the first number that cannot be: fewer samples than `least`, one that is
-/// not finite, time that does not go on, or that goes on by more than max_sample_period from one to the
-/// next.
+/// Throws std::invalid_argument with the first invalid number: fewer samples than `least`, a value that is
+/// not finite, times that do not increase, or a mean time between samples above max_sample_period.
 inline void require_samples(std::span<const bench_sample> samples, std::size_t least) {
   detail::refuse_unless(samples.size() >= least, "samples", samples.size(),
                         detail::indexed("at least ", least, ": record longer or faster"));
@@ -66,8 +63,8 @@ inline void require_samples(std::span<const bench_sample> samples, std::size_t l
                                         ": give times in seconds, not milliseconds, or record faster"));
 }
 
-/// Throws std::invalid_argument where the axis stands still or turns backwards in one of `parts` equal parts
-/// of the samples: a brake at rest holds what it is pushed with, and does not show what it could.
+/// Throws std::invalid_argument if the axis stands still or moves backwards in one of `parts` equal parts of
+/// the samples: a brake at rest only balances the applied torque.
 inline void require_turning(std::span<const bench_sample> samples, std::size_t parts) {
   for (std::size_t i = 0; i < parts; ++i) {
     const bench_sample& first = samples[i * (samples.size() - 1) / parts];

@@ -1,5 +1,4 @@
-/// @file
-/// Torque of a current, hysteresis and residual torque, from a slow ramp of the current up and down.
+/// Torque over current, hysteresis and residual torque, from a slow ramp of the current up and down.
 #pragma once
 
 #include <passive_haptics/bench/torque_fit.hpp>
@@ -14,35 +13,33 @@
 
 namespace passive_haptics {
 
-/// How late the torque follows the current: T + t_d of fit_step_response, of a step up and of one down [s].
+/// Delay of the torque after the current: T + t_d of fit_step_response, for a step up and a step down [s].
 struct ramp_delay {
-  double rising = 0;   ///< While the current rises.
-  double falling = 0;  ///< While it falls.
+  double rising = 0;   ///< Rising current.
+  double falling = 0;  ///< Falling current.
 };
 
-/// A sample on a branch, with the current that had its effect then.
+/// A sample on a branch, with the delayed current.
 struct branch_sample {
   double current = 0;    ///< [A]
   double torque = 0;     ///< [N m]
-  bool falling = false;  ///< On the way down.
+  bool falling = false;  ///< On the falling branch.
 };
 
 /// Result of a ramp of the current.
 struct current_ramp {
-  static constexpr int points = 11;  ///< Of each branch, at 0, 1, ..., 10 tenths of the greatest current.
-  /// One value at each point.
-  using branch = std::array<estimate, static_cast<std::size_t>(points)>;
+  static constexpr int points = 11;  ///< At 0, 1, ..., 10 tenths of the maximum current.
+  using branch = std::array<estimate, static_cast<std::size_t>(points)>;  ///< One value at each point.
 
-  double max_current = 0;    ///< [A]
-  estimate residual_torque;  ///< Before the ramp, of a brake that was not energised before [N m].
-  branch rising;             ///< Torque at each point on the way up [N m],
-  branch falling;            ///< and on the way down.
-  /// Largest distance of the branches over the points [N m], with the standard error there.
-  estimate hysteresis;
+  double max_current = 0;              ///< [A]
+  estimate residual_torque;            ///< Torque before the ramp, not energised before [N m].
+  branch rising;                       ///< Torque at each point, current rising [N m].
+  branch falling;                      ///< Torque at each point, current falling [N m].
+  estimate hysteresis;                 ///< Maximum distance of the branches [N m].
   std::vector<branch_sample> samples;  ///< Both branches.
 
-  /// For a brake_calibration: a table of the rising branch, without the points that do not rise beyond doubt
-  /// or are not below the last one. A residual torque below 0 is 0 in it.
+  /// Table for a brake_calibration: the rising branch, without points that are not significantly above the
+  /// previous one or not below the last one. A negative residual torque becomes 0.
   brake_curve curve() const {
     brake_curve p;
     p.residual_torque = std::max(residual_torque.value, 0.0);
@@ -61,7 +58,7 @@ struct current_ramp {
   }
 };
 
-/// What of a ramp's result cannot be, with what to do; empty if nothing, and then its curve() is valid.
+/// Returns an error text with what to do, empty if there is none; curve() is then valid.
 inline std::string validate(const current_ramp& ramp) {
   constexpr double sure = 3;  // standard errors
   const estimate &top = ramp.rising.back(), &residual = ramp.residual_torque,
@@ -99,7 +96,7 @@ inline void require_ramp(const current_ramp& ramp) {
   require_no_error(error.empty() ? error : std::string("ramp.").append(error));
 }
 
-// The parabola through the samples within this width of a current, read there
+// The parabola through the samples within this width of a current, evaluated there
 inline estimate torque_near(std::span<const branch_sample> all, bool falling, double current, double width,
                             sensor_noise noise) {
   std::vector<branch_sample> close_by;
@@ -115,7 +112,7 @@ inline estimate torque_near(std::span<const branch_sample> all, bool falling, do
                         })[0];
 }
 
-// Where the current begins to rise, is greatest first and last, and is 0 again
+// Indices at which the current begins to rise, is first and last at its maximum, and is 0 again
 struct ramp_corners {
   std::size_t start = 0, top = 0, leave = 0, end = 0;
 };
@@ -135,7 +132,7 @@ inline ramp_corners corners_of_ramp(std::span<const bench_sample> samples) {
   return at;
 }
 
-// The samples of both branches, each with the current a delay ago
+// The samples of both branches, each with the delayed current
 inline std::vector<branch_sample> branches_of_ramp(std::span<const bench_sample> samples,
                                                    const ramp_corners& at, const ramp_delay& delay) {
   // A current is held for the period before its sample
@@ -148,7 +145,7 @@ inline std::vector<branch_sample> branches_of_ramp(std::span<const bench_sample>
     const double late = down ? delay.falling : delay.rising, then = now + half_period - late;
     while (j > 0 && samples[j].time > then) --j;
     while (j + 1 < samples.size() && samples[j + 1].time <= then) ++j;
-    // A lag follows a ramp in parallel only some time after each of its corners
+    // Skips the transient of the lag after each corner of the ramp
     const auto after = [&](std::size_t corner) {
       return now > samples[corner].time && now < samples[corner].time + 6 * late;
     };
@@ -162,14 +159,10 @@ inline std::vector<branch_sample> branches_of_ramp(std::span<const bench_sample>
 
 }  // namespace detail
 
-/// From samples of a ramp of the current, from a pause at 0 A up to the greatest, where it pauses again, and
-/// down to 0 at a constant rate, while the axis turns steadily. Each current is taken for that a delay ago,
-/// so that a lag is no hysteresis; what is left of it is at most the error of the delay times the slope of
-/// the ramp.
-///
-/// Throws std::invalid_argument with name, value and what to do: samples that cannot be, torques without
-/// noise, an axis that stands still, no pause, no ramp, one that is too quick for its delay or for its
-/// samples; and with the text of validate(result), so that its curve() is valid.
+/// Evaluates a ramp of the current while the axis turns steadily: a pause at 0 A, a constant rate up to the
+/// maximum, a pause there, and a constant rate down to 0. Each torque is assigned to the current one delay
+/// earlier, so that a lag does not appear as hysteresis. Throws std::invalid_argument for invalid samples,
+/// torques without noise, an axis that stands still, another form of ramp, or a wrong result.
 inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, const ramp_delay& delay = {},
                                      sensor_noise noise = sensor_noise::present) {
   require_samples(samples, 100);

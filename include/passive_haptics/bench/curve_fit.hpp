@@ -1,5 +1,4 @@
-/// @file
-/// The constants of a formula that fit samples best, each with its standard error.
+/// Least-squares fit of the constants of a formula, with standard errors.
 #pragma once
 
 #include <passive_haptics/bench/bench_sample.hpp>
@@ -17,14 +16,12 @@ namespace passive_haptics {
 template <int N>
 struct curve_fit {
   vector<double, N> value = vector<double, N>::Zero();  ///< p
-  /// s^2 (J^T J)^-1 with s the deviation and J the derivatives by p; infinite where the samples do not
-  /// determine the constants.
+  /// s^2 (J^T J)^-1 with the derivatives J by p; infinite if the samples do not determine p.
   matrix<double, N, N> covariance = matrix<double, N, N>::Zero();
-  double deviation = 0;  ///< s, of the samples from the formula, in their unit.
+  double deviation = 0;  ///< s, standard deviation of the samples from the formula, in their unit.
 
-  /// Constant i.
-  estimate operator[](int i) const { return {value[i], std::sqrt(covariance(i, i))}; }
-  /// f(value) with the derivatives of f there: the standard error that follows to first order.
+  estimate operator[](int i) const { return {value[i], std::sqrt(covariance(i, i))}; }  ///< Constant i.
+  /// f(value) with its standard error to first order, by the derivatives of f.
   template <class F>
   estimate of(F&& f) const {
     vector<dual_number<double, N>, N> p;
@@ -36,13 +33,10 @@ struct curve_fit {
   }
 };
 
-/// argmin_p sum_k residual(sample_k, p)^2 from `start` on, by Levenberg and Marquardt: (A + lambda diag A) dp
-/// = -J^T r with A = J^T J. `residual(sample, p)` is a template over the scalar of p; J by automatic
-/// differentiation. Where it is not finite, p is out of its range and is not gone to. The samples have
-/// independent errors of one size. Cost: some tens of passes over the samples.
-///
-/// Throws std::invalid_argument with name, value and what to do where there are no more samples than
-/// constants, or the residuals at `start` are not finite.
+/// argmin_p sum_k residual(sample_k, p)^2 from `start` by Levenberg and Marquardt: (A + lambda diag A) dp =
+/// -J^T r with A = J^T J; J by automatic differentiation. A residual that is not finite marks p as out of
+/// range. The errors of the samples are assumed independent and of equal size. Throws std::invalid_argument
+/// if there are no more samples than constants, or the residuals at `start` are not finite.
 template <int N, class Samples, class Residual>
 curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, const Residual& residual) {
   using variable = dual_number<double, N>;
@@ -90,13 +84,13 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
 
   const auto freedom = static_cast<double>(std::ssize(samples)) - N;
   fit.deviation = std::sqrt(least(N, N) / freedom);
-  // Of unit columns: whether it is singular does not depend on units
+  // Columns scaled to unit length, so that singularity does not depend on units
   const matrix<double, N, N> A = least.template topLeftCorner<N, N>();
   const vector<double, N> size = A.diagonal().cwiseSqrt();
   const matrix<double, N, N> scale = size.cwiseInverse().asDiagonal();
   const cholesky<double, N> scaled(matrix<double, N, N>(scale * A * scale));
   const matrix<double, N, N> inverse = scaled.solve(matrix<double, N, N>(matrix<double, N, N>::Identity()));
-  constexpr double max_variance = 1e12;  // variance inflation beyond which rounding decides
+  constexpr double max_variance = 1e12;  // variance inflation above which rounding dominates
   if (scaled.is_positive_definite() && inverse.diagonal().maxCoeff() < max_variance)
     fit.covariance = fit.deviation * fit.deviation * scale * inverse * scale;
   else fit.covariance.setConstant(std::numeric_limits<double>::infinity());

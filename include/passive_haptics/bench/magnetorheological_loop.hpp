@@ -1,5 +1,4 @@
-/// @file
-/// Constants of a magnetorheological_brake (brake/models), from a ramp of the current and a step of it.
+/// Identification of a magnetorheological_brake (plant/brakes) from a ramp and a step of the current.
 #pragma once
 
 #include <passive_haptics/bench/current_ramp.hpp>
@@ -8,14 +7,14 @@
 
 namespace passive_haptics {
 
-/// The loop, for the greatest current of the ramp.
+/// Constants of the hysteresis loop, relative to the maximum current of the ramp.
 struct magnetorheological_loop {
   double max_current = 0;     ///< [A]
-  estimate torque_limit;      ///< Of the calibrated curve, without the residual torque [N m].
+  estimate torque_limit;      ///< Calibrated curve, without the residual torque [N m].
   estimate saturation;        ///< k [1].
   estimate coercive_current;  ///< c [1].
   estimate residual_torque;   ///< [N m]
-  double deviation = 0;       ///< Of the samples from the formula [N m].
+  double deviation = 0;       ///< Samples from the formula [N m].
 };
 
 namespace detail {
@@ -28,8 +27,8 @@ auto magnetorheological_torque(const vector<S, 4>& p, const M& m) {
 
 }  // namespace detail
 
-/// Least squares of torque = residual_torque + torque_limit tanh(k m) / tanh(k) to a ramp, with j the current
-/// for the greatest one, m = max(j - c, 0) on the way up and m = min(j + c, 1 - c) on the way down.
+/// Least squares of torque = residual_torque + torque_limit tanh(k m) / tanh(k) for a ramp, with the current
+/// j relative to its maximum, m = max(j - c, 0) for rising and m = min(j + c, 1 - c) for falling current.
 /// Throws as fit_current_ramp.
 inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& ramp,
                                                            sensor_noise noise = sensor_noise::present) {
@@ -47,17 +46,15 @@ inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& r
   return {greatest, fit[0], fit[1], fit[2], fit[3], fit.deviation};
 }
 
-/// Result of a step of the current through the coil of such a brake.
+/// Result of a step of the coil current.
 struct magnetorheological_step {
   estimate time_constant;  ///< T of the coil [s].
   estimate dead_time;      ///< t_d [s].
-  double deviation = 0;    ///< Of the samples from the formula [N m].
+  double deviation = 0;    ///< Samples from the formula [N m].
 };
 
-/// Least squares of T and t_d of the current j behind the loop's torque, as in fit_step_response: m = j - c
-/// in a step up from 0 A, of a brake that was not energised before; m = min(j + c, J - c) in a step down from
-/// J to 0 A. The torque itself is no first-order lag: it begins late and ends early. Throws as
-/// fit_step_response.
+/// Least squares of T and t_d of the current j, given the loop: m = j - c for a step up from 0 A (not
+/// energised before), m = min(j + c, J - c) for a step down from J to 0 A. Throws as fit_step_response.
 inline magnetorheological_step fit_magnetorheological_step(std::span<const bench_sample> samples,
                                                            const magnetorheological_loop& loop,
                                                            sensor_noise noise = sensor_noise::present) {
@@ -86,17 +83,16 @@ inline magnetorheological_step fit_magnetorheological_step(std::span<const bench
   return {fit[0], fit[1], fit.deviation};
 }
 
-/// Result of three records of such a brake.
+/// Result of the three records of such a brake.
 struct magnetorheological_identification {
-  magnetorheological_loop loop;     ///< Its constants.
-  magnetorheological_step rising;   ///< Lag and dead time of its current on the way up,
-  magnetorheological_step falling;  ///< and on the way down.
+  magnetorheological_loop loop;     ///< Constants of the loop.
+  magnetorheological_step rising;   ///< Lag and dead time of a rising current.
+  magnetorheological_step falling;  ///< Lag and dead time of a falling current.
   current_ramp ramp;                ///< With those delays.
 };
 
-/// From a step up of a brake that was not energised before, a step down to 0 A and a ramp: the lag of the
-/// torque, with it the loop, with that the lag of the current, and so on until they fit each other. Throws as
-/// fit_step_response and fit_current_ramp.
+/// Identifies a brake from a step up (not energised before), a step down to 0 A and a ramp, by iteration over
+/// lag, loop and ramp. Throws as fit_step_response and fit_current_ramp.
 inline magnetorheological_identification fit_magnetorheological_brake(
     std::span<const bench_sample> up, std::span<const bench_sample> down, std::span<const bench_sample> ramp,
     sensor_noise noise = sensor_noise::present) {

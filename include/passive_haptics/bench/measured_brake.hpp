@@ -1,5 +1,4 @@
-/// @file
-/// What a controller, a driver and a simulation take of the brakes, from what their bench found.
+/// Parameters of controller, driver and simulation from bench results.
 #pragma once
 
 #include <passive_haptics/bench/magnetorheological_loop.hpp>
@@ -14,12 +13,12 @@
 
 namespace passive_haptics {
 
-/// Results of one brake's tests; a default-constructed one is of no test. Make it by measured_brake_of().
+/// Results of one brake's tests; default-constructed: no test. Use measured_brake_of().
 struct measured_brake {
-  estimate time_constant;       ///< Of a rising torque, or of the coil of a magnetorheological brake [s].
-  estimate fall_time_constant;  ///< Of a falling one [s].
+  estimate time_constant;       ///< Rising torque, or coil of a magnetorheological brake [s].
+  estimate fall_time_constant;  ///< Falling torque [s].
   current_ramp ramp;            ///< With the delays of both.
-  /// Of the device's encoder on this axis: rate_dead_band(resolution, window, period) [rad/s].
+  /// For the device's encoder on this axis: rate_dead_band(resolution, window, period) [rad/s].
   double rate_dead_band = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -36,7 +35,7 @@ inline std::string check_measured(const char* name, const estimate& found, const
 
 }  // namespace detail
 
-/// What of the results is missing or cannot be, with what to do; empty if nothing.
+/// Returns an error text with what to do, empty if there is none.
 inline std::string validate(const measured_brake& found) {
   const char *const step_up = "record a larger step up, and give its fit_step_response",
                     *const step_down = "record a larger step down, and give its fit_step_response";
@@ -53,8 +52,8 @@ inline std::string validate(const measured_brake& found) {
   return std::string(error).append(": give rate_dead_band(resolution, window, period) of its encoder");
 }
 
-/// The results of a step up, a step down and a ramp. rate_dead_band: see the member [rad/s]. Throws
-/// std::invalid_argument with the text of validate(), or where the steps are not one up and one down.
+/// Combines a step up, a step down and a ramp. rate_dead_band: see the member [rad/s]. Throws
+/// std::invalid_argument with the text of validate(), or if the steps are not one up and one down.
 inline measured_brake measured_brake_of(const step_response& up, const step_response& down,
                                         const current_ramp& ramp, double rate_dead_band) {
   detail::refuse_unless(up.change.value > 0, "up.change [N m]", up.change.value,
@@ -64,15 +63,14 @@ inline measured_brake measured_brake_of(const step_response& up, const step_resp
   return require_valid(measured_brake{up.time_constant, down.time_constant, ramp, rate_dead_band});
 }
 
-/// The results of a brake with hysteresis, whose torque is no first-order lag of its current. rate_dead_band:
-/// see the member [rad/s]. Throws std::invalid_argument with the text of validate().
+/// Results of a brake with hysteresis. Throws std::invalid_argument with the text of validate().
 inline measured_brake measured_brake_of(const magnetorheological_identification& found,
                                         double rate_dead_band) {
   return require_valid(
       measured_brake{found.rising.time_constant, found.falling.time_constant, found.ramp, rate_dead_band});
 }
 
-/// What is wrong with the results, with the brake's number; empty if nothing.
+/// Returns an error text with the brake's number, empty if there is none.
 template <std::size_t Brakes>
 std::string validate(const std::array<measured_brake, Brakes>& found) {
   for (std::size_t i = 0; i < Brakes; ++i)
@@ -81,16 +79,14 @@ std::string validate(const std::array<measured_brake, Brakes>& found) {
   return {};
 }
 
-/// The results of the brakes of mechanism M.
+/// One result for each brake of mechanism M.
 template <class M>
 using measured_brakes_of = std::array<measured_brake, static_cast<std::size_t>(M::brake_count)>;
 
-/// The brakes of mechanism M as a controller and its law take them: torque_limit, that of the rising branch
-/// at the greatest current; time_constant, that of the rise, as a law that counts on the fall bounces
-/// (docs/results.md); rate_dead_band. The torque_dead_band is the default. Throws std::invalid_argument with
-/// the text of validate(found).
-///
-/// A brake whose torque depends on its rate has no such torque_limit: see rate_limited_brakes.
+/// Brake parameters for a controller of mechanism M: torque_limit of the rising branch at the maximum
+/// current; time_constant of the rise, because a law that relies on the fall bounces (docs/results.md);
+/// rate_dead_band. Throws std::invalid_argument with the text of validate(found). For rate-dependent torque
+/// use rate_limited_brakes.
 template <class M>
 brakes_of<M> measured_brakes(const measured_brakes_of<M>& found) {
   require_valid(found);
@@ -105,8 +101,7 @@ brakes_of<M> measured_brakes(const measured_brakes_of<M>& found) {
   return require_valid(brakes);
 }
 
-/// The curves of the brakes, for a brake_calibration. Throws std::invalid_argument with the text of
-/// validate(found).
+/// Curves for a brake_calibration. Throws std::invalid_argument with the text of validate(found).
 template <std::size_t Brakes>
 std::array<brake_curve, Brakes> measured_curves(const std::array<measured_brake, Brakes>& found) {
   require_valid(found);
@@ -115,7 +110,7 @@ std::array<brake_curve, Brakes> measured_curves(const std::array<measured_brake,
   return curves;
 }
 
-/// The brake in a simulation, without its hysteresis. Its command is what the curve makes without the
+/// The brake for a simulation, without hysteresis. Its command is the torque of the curve without the
 /// residual torque [N m], so its gain is 1. Throws std::invalid_argument with the text of validate(found).
 inline coulomb_brake<double> simulated_brake(const measured_brake& found) {
   require_valid(found);

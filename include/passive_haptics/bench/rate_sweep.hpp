@@ -1,5 +1,4 @@
-/// @file
-/// What a brake's torque depends on beside its current: drag, Stribeck effect, eddy currents.
+/// Brake torque over rate: drag, Stribeck effect, eddy currents.
 #pragma once
 
 #include <passive_haptics/bench/torque_fit.hpp>
@@ -14,10 +13,9 @@ struct rate_and_torque {
   double torque = 0;  ///< [N m]
 };
 
-/// Means over windows of about `duration` [s] of samples at one current, in which the rate varies slowly. An
-/// encoder that is a count late makes the rate of a window wrong by at most a count over the duration: take
-/// windows that are long enough for the slowest rate. Throws std::invalid_argument as require_samples does,
-/// or where the current varies or there are fewer than 8 windows.
+/// Means over windows of about `duration` [s] of samples at one current. The rate is wrong by up to one count
+/// per duration: choose long windows for slow rates. Throws std::invalid_argument as require_samples, for a
+/// varying current, or for fewer than 8 windows.
 inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_sample> samples,
                                                       double duration) {
   require_no_error(check_value("duration", duration, "s", range::positive));
@@ -42,7 +40,7 @@ inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_samp
 
 namespace detail {
 
-// The largest rate [rad/s] of means that can be
+// Validates the means and returns the maximum rate [rad/s]
 inline double max_rate_of(std::span<const rate_and_torque> means) {
   double max_rate = 0;
   for (std::size_t k = 0; k < means.size(); ++k) {
@@ -58,7 +56,7 @@ inline double max_rate_of(std::span<const rate_and_torque> means) {
 
 inline double torque_against_turn(const rate_and_torque& s) { return s.rate < 0 ? -s.torque : s.torque; }
 
-// The closest of the fits from these starts. The formula for w > 0 holds against the turn at any w
+// The best of the fits from these starts. The formula for w > 0 holds against the rotation at any w
 template <int N, class Formula>
 curve_fit<N> fit_against_rate(std::span<const rate_and_torque> means, sensor_noise noise,
                               std::initializer_list<vector<double, N>> starts, const Formula& formula) {
@@ -77,16 +75,15 @@ curve_fit<N> fit_against_rate(std::span<const rate_and_torque> means, sensor_noi
 
 }  // namespace detail
 
-/// Friction and drag.
+/// Coulomb and viscous friction.
 struct viscous_friction {
-  estimate strength;     ///< At any rate, Coulomb friction [N m].
-  estimate drag;         ///< Viscous [N m s].
+  estimate strength;     ///< Coulomb friction [N m].
+  estimate drag;         ///< Viscous drag [N m s].
   double deviation = 0;  ///< Of the means [N m].
 };
 
-/// Least squares of torque = strength + drag w. Throws std::invalid_argument with name, value and what to do:
-/// numbers that are not finite, no more means than constants, torques without noise, an axis that stands
-/// still in all, torques that push the turn on.
+/// Least squares of torque = strength + drag w. Throws std::invalid_argument for numbers that are not finite,
+/// too few means, torques without noise, an axis that stands still, torques that drive the rotation.
 inline viscous_friction fit_viscous_friction(std::span<const rate_and_torque> means,
                                              sensor_noise noise = sensor_noise::present) {
   detail::max_rate_of(means);
@@ -96,17 +93,16 @@ inline viscous_friction fit_viscous_friction(std::span<const rate_and_torque> me
   return {fit[0], fit[1], fit.deviation};
 }
 
-/// Friction that falls from rest to slip.
+/// Friction with a Stribeck effect.
 struct stribeck_friction {
   estimate strength;       ///< In fast slip [N m].
-  estimate static_ratio;   ///< Strength at rest for that [1].
-  estimate stribeck_rate;  ///< At which 1/e of the difference is left [rad/s].
-  estimate drag;           ///< Viscous [N m s].
+  estimate static_ratio;   ///< Strength at rest relative to fast slip [1].
+  estimate stribeck_rate;  ///< Rate at which 1/e of the difference remains [rad/s].
+  estimate drag;           ///< Viscous drag [N m s].
   double deviation = 0;    ///< Of the means [N m].
 };
 
-/// Least squares of torque = strength (1 + (static_ratio - 1) exp(-(w / stribeck_rate)^2)) + drag w. Throws
-/// as fit_viscous_friction.
+/// Fit of strength (1 + (static_ratio - 1) exp(-(w / stribeck_rate)^2)) + drag w; as fit_viscous_friction.
 inline stribeck_friction fit_stribeck_friction(std::span<const rate_and_torque> means,
                                                sensor_noise noise = sensor_noise::present) {
   const double fast = detail::max_rate_of(means),
@@ -123,12 +119,12 @@ inline stribeck_friction fit_stribeck_friction(std::span<const rate_and_torque> 
   return {best[0], best[1], best[2], best[3], best.deviation};
 }
 
-/// A torque of eddy currents, and friction; no viscous drag beside them.
+/// Eddy-current torque and Coulomb friction, without viscous drag.
 struct eddy_current_torque {
-  estimate strength;       ///< Friction, at any rate [N m].
-  estimate drag;           ///< 2 peak_torque / critical_rate, of low rates [N m s].
-  estimate critical_rate;  ///< Of the greatest torque [rad/s]; infinite where all rates are too low for it.
-  estimate peak_torque;    ///< There, at this current [N m]; infinite where that is.
+  estimate strength;       ///< Coulomb friction [N m].
+  estimate drag;           ///< 2 peak_torque / critical_rate, at low rates [N m s].
+  estimate critical_rate;  ///< Rate of the maximum torque [rad/s]; infinite if all rates are too low.
+  estimate peak_torque;    ///< Maximum torque at this current [N m]; infinite with critical_rate.
   double deviation = 0;    ///< Of the means [N m].
 };
 
@@ -137,7 +133,7 @@ inline eddy_current_torque fit_eddy_current_torque(std::span<const rate_and_torq
                                                    sensor_noise noise = sensor_noise::present) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const double fast = detail::max_rate_of(means);
-  // In 1 / critical_rate^2, in which the formula is almost linear, also at 0
+  // The formula is almost linear in 1 / critical_rate^2, also at 0
   const auto torque = []<class S>(double w, const vector<S, 3>& p) -> S {
     const S weakened = S(1) + p[2] * w * w;
     if (!(weakened > S(0))) return S(std::numeric_limits<double>::quiet_NaN());

@@ -1,5 +1,4 @@
-/// @file
-/// Dead time and time constant of a brake, from its torque after a step of the current.
+/// Dead time and time constant of a brake from a step of the current.
 #pragma once
 
 #include <passive_haptics/bench/torque_fit.hpp>
@@ -8,16 +7,16 @@ namespace passive_haptics {
 
 /// Result of a step of the current.
 struct step_response {
-  estimate before;         ///< Torque before the step [N m],
-  estimate change;         ///< and what the step added in the end, < 0 for a step down [N m].
+  estimate before;         ///< Torque before the step [N m].
+  estimate change;         ///< Final change by the step [N m]; < 0 for a step down.
   estimate time_constant;  ///< T [s].
   estimate dead_time;      ///< t_d, from the command to the first effect [s].
-  double deviation = 0;    ///< Of the samples from the formula [N m].
+  double deviation = 0;    ///< Samples from the formula [N m].
 };
 
 namespace detail {
 
-// The first sample with the current after the only step
+// Index of the first sample after the only step
 inline std::size_t step_of_current(std::span<const bench_sample> samples) {
   require_samples(samples, 20);
   require_turning(samples, 10);
@@ -39,13 +38,11 @@ inline std::size_t step_of_current(std::span<const bench_sample> samples) {
 ///     torque = before                                            until t_d after the step,
 ///     torque = before + change (1 - exp(-(t - t_step - t_d) / T))   from then on
 ///
-/// to samples with one step of the current, up or down, while the axis turns steadily; t_step is the time of
-/// the last sample with the current before. The dead time holds the delays of bus and power stage, and of the
-/// torque sensor. Of a brake that is no first-order lag the deviation is more than that of the sensor.
-///
-/// Throws std::invalid_argument with name, value and what to do: samples that cannot be, torques without
-/// noise, an axis that stands still, no step or two, a change within the noise or against that of the
-/// current, a record that ends before five time constants, one over max_time_constant.
+/// for samples with one step of the current while the axis turns steadily; t_step is the time of the last
+/// sample with the old current. The dead time includes delays of bus, power stage and sensor. Throws
+/// std::invalid_argument for invalid samples, torques without noise, an axis that stands still, no single
+/// step, a change within the noise or against the current, a record shorter than five time constants, or one
+/// above max_time_constant.
 inline step_response fit_step_response(std::span<const bench_sample> samples,
                                        sensor_noise noise = sensor_noise::present) {
   const std::size_t step = detail::step_of_current(samples);
@@ -64,7 +61,7 @@ inline step_response fit_step_response(std::span<const bench_sample> samples,
     if (!(since > S(0))) return p[0] - s.torque;
     return p[0] + p[1] * (S(1) - exp(-since / p[2])) - s.torque;
   };
-  // The dead time has a kink in the formula: the best of several starts within the first sample
+  // The formula has a kink at the dead time: use the best of several starts within the first sample
   const double late = samples[step].time - t_step;
   const auto from = [&](double share) {
     return vector<double, 4>(before, change, (1 - share) * late, share * late);
@@ -72,7 +69,7 @@ inline step_response fit_step_response(std::span<const bench_sample> samples,
   const auto best = detail::fit_torques<4>(
       "samples", samples, noise, {from(0.02), from(0.1), from(0.3), from(0.6), from(0.9)}, residual);
 
-  constexpr double sure = 5;  // standard errors, of at least the rounding
+  constexpr double sure = 5;  // standard errors, at least the rounding
   const double error = std::max(best.deviation, detail::min_noise * detail::max_torque(samples)) /
                        std::sqrt(static_cast<double>(end - tail));
   detail::refuse_unless(std::abs(best.value[1]) > sure * error, "change of the torque [N m]", best.value[1],

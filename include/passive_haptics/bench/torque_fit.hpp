@@ -1,5 +1,4 @@
-/// @file
-/// The constants of a torque's formula from torques of a sensor, which have noise.
+/// Fits of torque formulas to noisy sensor torques.
 #pragma once
 
 #include <passive_haptics/bench/curve_fit.hpp>
@@ -10,15 +9,15 @@
 
 namespace passive_haptics {
 
-/// Whether torques have the noise that the standard errors of their constants come from.
+/// Expected noise of torques, the source of standard errors.
 enum class sensor_noise {
-  present,  ///< As of a sensor. Torques without any are refused: the sensor hangs, or is saturated.
-  none,     ///< Computed ones, or of a sensor coarser than its noise: a standard error of 0 is no mistake.
+  present,  ///< As of a sensor. Torques without noise are rejected, because the sensor hangs or is saturated.
+  none,     ///< Computed torques, or a sensor coarser than its noise; a standard error of 0 is allowed.
 };
 
 namespace detail {
 
-// The smallest deviation that is noise, for the largest torque [1]: a converter of 24 bits resolves 6e-8
+// Minimum relative deviation that counts as noise [1]; a 24-bit converter resolves 6e-8
 inline constexpr double min_noise = 1e-9;
 
 template <class Samples>
@@ -28,8 +27,8 @@ double max_torque(const Samples& samples) {
   return largest;
 }
 
-// The closest of the fits from these starts. which: of what samples, for the errors. Throws
-// std::invalid_argument as fit_curve does, or where torques that should have noise have none.
+// The best of the fits from these starts. which: name of the samples in errors. Throws std::invalid_argument
+// as fit_curve, or if torques that should have noise have none.
 template <int N, class Samples, class Residual>
 curve_fit<N> fit_torques(const std::string& which, const Samples& samples, sensor_noise noise,
                          std::initializer_list<vector<double, N>> starts, const Residual& residual) {

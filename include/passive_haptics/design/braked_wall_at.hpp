@@ -1,5 +1,4 @@
-/// @file
-/// A braked wall's numbers from a mechanism in a pose.
+/// The braked_wall of a mechanism in a pose.
 #pragma once
 
 #include <passive_haptics/brake/models/encoder_axes.hpp>
@@ -14,13 +13,12 @@
 
 namespace passive_haptics {
 
-/// One count of each encoder of mechanism M [rad, or m of a slide]; see encoder_axes.
+/// One count of each encoder of mechanism M [rad or m], see encoder_axes.
 template <class M>
 using encoder_resolution = vector<typename M::scalar, encoder_axes<M>::count>;
 
-/// What the residual torques [N m] push a handle along the normal n, of any length > 0, with [N] that slides
-/// with a velocity along the wall: n . F of F = -G s t_r (4), as long as nothing accelerates. 0 for a handle
-/// that rests.
+/// Force along the normal n (any length > 0) by the residual torques [N m] on a handle that slides along the
+/// wall with `velocity` [N]: n . F with F = -G s t_r (4), without acceleration. 0 for a handle at rest.
 template <Dynamics M>
 typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q,
                                     const task_vector<M>& velocity, const task_vector<M>& normal,
@@ -32,17 +30,14 @@ typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q
   return -n.dot(form_of<M>::force_in_motion(mechanism_pose<M>(mechanism, q), t, found.held));
 }
 
-/// The wall of normal n (base frame, out of the wall, any length > 0) that these brakes can make at joint
-/// positions q, touched with `velocity` [m/s]; a hand of this mass [kg] moves with the handle, the encoders
-/// have this resolution.
+/// Returns the wall of outward normal n (base frame, any length > 0) that these brakes can render at joint
+/// positions q for a touch with `velocity` [m/s]. hand_mass [kg] moves with the handle; resolution is that of
+/// the encoders. Time, rates and hand forces keep their defaults.
 ///
-/// The motion decides which way each brake can push, and it changes while the handle lands. Its mean is
-/// taken: all of the velocity along the wall and half of it into the wall. The forces are 0 where nothing can
-/// be displayed (displayable). Where the handle cannot move along n, or n is 0 or not finite, the inertia is
-/// not finite, which limits_of refuses.
-///
-/// Time, rates and the hand's forces are left at their defaults. Cost: a displayable and some solutions with
-/// the mass matrix.
+/// The motion determines the sign of each brake and changes during the landing, so its mean is used: the
+/// velocity along the wall and half the velocity into it. The forces are 0 if nothing can be displayed. The
+/// inertia is not finite, which limits_of rejects, if the handle cannot move along n, or n is 0 or not
+/// finite.
 template <Dynamics M>
 braked_wall braked_wall_at(const M& mechanism, const joint_vector<M>& q, const task_vector<M>& velocity,
                            const task_vector<M>& normal, const switchable_brakes<M>& brakes,

@@ -1,5 +1,4 @@
-/// @file
-/// Optional members of a mechanism, of brakes, of a law or of a state that the library has found.
+/// Detected optional members of a mechanism, of brakes, of a law or of a state.
 #pragma once
 
 #include <passive_haptics/brake/at_rest/brake_bias_acceleration.hpp>
@@ -20,18 +19,16 @@ namespace passive_haptics {
 /// An optional member.
 struct optional_member {
   std::string_view name;  ///< As in the code.
-  bool found;             ///< Whether the type has it, as the library needs it.
+  bool found;             ///< True if the type has it in the required form.
 };
 
-/// All optional members that a type could have. A misspelt name or a function that is not const counts as
-/// absent, without an error. `static_assert(describe<arm>().has("transmission"))` after each optional member
-/// makes it one.
+/// All optional members of a type. A misspelt name or a function that is not const counts as absent;
+/// `static_assert(describe<arm>().has("transmission"))` turns that into an error.
 template <std::size_t N>
 struct description {
   std::array<optional_member, N> members;  ///< In the order of the concept's list.
 
-  /// Whether the member was found. Of a name that is no optional member: an error of the compiler in a
-  /// constant expression, else see require_no_error().
+  /// True if the member was found. An unknown name is an error, see require_no_error().
   constexpr bool has(std::string_view name) const {
     for (const optional_member& m : members)
       if (m.name == name) return m.found;
@@ -40,7 +37,7 @@ struct description {
   }
 };
 
-/// "jacobian, pose; not found: transmission, ..."
+/// Text such as "jacobian, pose; not found: transmission, ...".
 template <std::size_t N>
 std::string to_text(const description<N>& all) {
   std::string found, missing;
@@ -62,7 +59,7 @@ template <class S>
 concept names_hand_torque = requires(const S state) { state.hand_torque; };
 }  // namespace detail
 
-/// The optional members of a mechanism.
+/// Optional members of a mechanism.
 template <class M>
   requires detail::names_sizes<M>
 constexpr description<9> describe() {
@@ -77,7 +74,7 @@ constexpr description<9> describe() {
             {"inverse_transposed_jacobian", detail::has_inverse_transposed_jacobian<M>}}}};
 }
 
-/// The optional members of brakes.
+/// Optional members of brakes.
 template <class B>
   requires(detail::names_torque_limit<B> || detail::is_unlimited<B>)
 constexpr description<6> describe() {
@@ -89,7 +86,7 @@ constexpr description<6> describe() {
             {"time_constant", detail::names_time_constant<B>}}}};
 }
 
-/// The optional members of a law.
+/// Optional members of a law.
 template <ControlLaw L>
 constexpr description<9> describe() {
   return {{{{"needs_hand_force", needs_hand_force<L>},
@@ -103,14 +100,14 @@ constexpr description<9> describe() {
             {"memory", detail::names_memory<L>}}}};
 }
 
-/// The optional members of a state.
+/// Optional members of a state.
 template <class S>
   requires detail::has_time_in_seconds<S>
 constexpr description<2> describe() {
   return {{{{"hand_force", detail::names_hand_force<S>}, {"hand_torque", detail::names_hand_torque<S>}}}};
 }
 
-/// The optional members of a mechanism, of brakes, of a law or of a state.
+/// Optional members of an object's type.
 template <class X>
 constexpr auto describe(const X&) {
   return passive_haptics::describe<X>();

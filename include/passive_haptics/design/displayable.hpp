@@ -1,5 +1,4 @@
-/// @file
-/// What brakes can display against a wall at all, while the handle moves in a direction: no law can do more.
+/// Forces that brakes can display against a wall during a motion, an upper bound for all laws.
 #pragma once
 
 #include <passive_haptics/design/max_resistance.hpp>
@@ -11,38 +10,33 @@
 
 namespace passive_haptics {
 
-/// What can be displayed against a wall of unit normal n (base frame, out of the wall).
+/// Forces that can be displayed against a wall of outward unit normal n (base frame).
 template <class M>
 struct displayable_force {
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
-  /// ok; else the rest says that there is nothing: state_not_finite (q or the direction), contact_invalid
-  /// (no normal), parameters_invalid (a limit), pose_undefined, singular_jacobian (redundant brakes
-  /// only).
+  /// ok, or an error with no force: state_not_finite (q or the direction), contact_invalid (no normal),
+  /// parameters_invalid (a limit), pose_undefined, singular_jacobian (redundant brakes only).
   status outcome = status::ok;
-  /// none if no producible force has a component along n, at whatever angle: a cycle also
-  /// stops at its max_approximation_angle.
+  /// none if no producible force has a component along n at any angle.
   display_class display = display_class::none;
-  /// gamma [rad] between n and the nearest producible force: 0 where n itself is one, pi / 2 where none is.
+  /// gamma [rad] between n and the nearest producible force: 0 if n itself is producible, pi / 2 if none is.
   scalar angle = std::numbers::pi_v<scalar> / scalar(2);
-  /// Fc [N], the displayed force that makes 1 N out of the wall: along the nearest force, n . Fc = 1, with
-  /// its rest the drag and the force aside. 0 where nothing is displayed.
+  /// Fc [N]: the nearest force, scaled to n . Fc = 1 N. 0 if nothing is displayed.
   task_vector<M> nearest = task_vector<M>::Zero();
-  /// Largest n . F [N] over all forces F that the brakes, and motors beside them, can make within their
-  /// limits. Infinite where the structure itself holds, or a brake without limit.
+  /// Maximum n . F [N] over all forces F that brakes and motors can produce within their limits. Infinite if
+  /// the structure itself holds, or a brake without limit.
   scalar max_force = scalar(0);
-  /// Largest n . F [N] along the nearest force, by its own torques: what a force approximation, cut to the
-  /// limits, displays at most.
+  /// Maximum n . F [N] along the nearest force with its torques, the limit of a force approximation.
   scalar max_approximated_force = scalar(0);
-  /// s (m) of the brakes in this motion, once it has settled: -1, 0 or 1.
+  /// Signs s (m) of the brakes in this motion, once settled: -1, 0 or 1.
   brake_vector<M> signs = brake_vector<M>::Zero();
-  /// S of the nearest force, a bit for each brake that comes to rest where a self-motion settles; else 0.
+  /// S of the nearest force: bits of the brakes that come to rest if a self-motion settles; else 0.
   brake_set held = 0;
 };
 
 namespace detail {
 
-// Class, angle and max_approximated_force of the nearest force.
 template <class M, class Force>
 void describe(displayable_force<M>& found, const task_vector<M>& n, const Force& Fc,
               const switchable_brakes<M>& brakes) {
@@ -56,32 +50,28 @@ void describe(displayable_force<M>& found, const task_vector<M>& n, const Force&
 
 }  // namespace detail
 
-/// What these brakes can display against a wall with normal n while the end effector moves in `direction`, at
-/// joint positions q. Direction and normal: base frame, any length > 0; at rest the direction is zero. Of the
-/// brakes the limits and intervals are read; limits may be infinite, and a brake whose limit is 0 is off.
+/// Returns the forces that these brakes can display against a wall with normal n while the end effector moves
+/// in `direction` at joint positions q. Direction and normal: base frame, any length > 0; the direction is
+/// zero at rest. Uses the limits and intervals of the brakes; limits may be infinite, and 0 means off.
 ///
-/// The motion decides the signs: w = T J^+ v, s = sgn(w), and brake i makes s_i t_i <= 0 (3). A brake that
-/// rests in this motion (|w_i| of rounding size) can hold either way, so s_i = 0. Of a direction that a
-/// singular pose does not allow, the part that it does counts. With self-motion (n > d) the rates are those
-/// once it has settled, with the brakes at rest that let most be displayed. More brakes than joints leave
-/// nothing to assume.
+/// The motion determines the signs: w = T J^+ v, s = sgn(w), and brake i produces s_i t_i <= 0 (3). A brake
+/// at rest in this motion (|w_i| of rounding size) can hold either way, s_i = 0. At a singular pose only the
+/// feasible part of the direction counts. With self-motion (n > d) the rates are the settled ones, for the
+/// brakes at rest that maximise the displayed force.
 ///
-/// The strongest normal force has any tangential part. By virtual work,
+/// The maximum normal force may have any tangential part. By virtual work,
 ///
 ///     max n . F = min over joint rates with J qd = n of  sum_i max over |t_i| <= limit_i, s_i t_i <= 0 of
 ///                 t_i w_i,   w = T qd,
 ///
-/// what brakes make against the easiest way into the wall. For n = d it is the sum over brakes of max(0,
-/// n . g_i) limit_i, with g_i = -s_i G e_i (for s_i = 0 of |n . G e_i| limit_i). No law displays more; one
-/// that chooses each torque displays that, force approximation gets to max_approximated_force. Where the
-/// handle moves along the wall the rest of F is drag, never help: F . v = t . w <= 0. A handle that sinks
-/// moves in another direction, in which more can be displayed (sink_slope).
+/// the resistance of the brakes to the easiest motion into the wall. For n = d it is the sum of max(0, n .
+/// g_i) limit_i over the brakes, with g_i = -s_i G e_i (for s_i = 0: |n . G e_i| limit_i). No law displays
+/// more. A law that chooses each torque reaches it; force approximation reaches max_approximated_force. For
+/// motion along the wall the rest of F is drag, F . v = t . w <= 0. A sinking handle moves in another
+/// direction, in which more can be displayed (sink_slope).
 ///
-/// Motors beside the brakes (hybrid_brakes) count in `max_force` alone, by s_i t_i <= motor_limit_i; class,
-/// angle, signs and max_approximated_force are those of the brakes.
-///
-/// Never allocates. For looking at a device, not for a control cycle. Cost: a projection (approximate) and
-/// one decomposition; at singular poses and with self-motion 2^m decompositions of d x m.
+/// Motors (hybrid_brakes) only affect `max_force`, by s_i t_i <= motor_limit_i. Never allocates. For design,
+/// not for a control cycle: at singular poses and with self-motion 2^m decompositions of d x m.
 template <class M>
 displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
                                  const task_vector<M>& direction, const task_vector<M>& normal,
@@ -107,7 +97,7 @@ displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
   return found;
 }
 
-/// What brakes of these torque limits [N m] can display.
+/// Overload for brakes with these torque limits [N m].
 template <class M>
 displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
                                  const task_vector<M>& direction, const task_vector<M>& normal,

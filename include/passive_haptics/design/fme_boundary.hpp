@@ -1,5 +1,4 @@
-/// @file
-/// Outlines of passive FMEs of two brakes in a plane, for drawing.
+/// Outlines of passive FMEs of two planar brakes, for drawing.
 #pragma once
 
 #include <passive_haptics/brake/passive_fme.hpp>
@@ -11,10 +10,9 @@
 
 namespace passive_haptics {
 
-/// Closed outline [N] of the passive FME of one region: the origin, then the arc of the ellipse
-/// G (cos a, sin a) over the region's quadrant in `segments` chords, then the origin again.
-/// G (2 x 2) from reference_forces. Throws std::invalid_argument unless there are 1 to 1 million segments.
-/// Allocates; for pictures.
+/// Closed outline [N] of the passive FME of one region: the origin, the arc of the ellipse G (cos a, sin a)
+/// over the region's quadrant in `segments` chords, and the origin again. G (2 x 2) from reference_forces.
+/// Throws std::invalid_argument unless there are 1 to 1 million segments. Allocates.
 template <class T>
 std::vector<vector<T, 2>> passive_fme_outline(const matrix<T, 2, 2>& G, const torque_signs<2>& region,
                                               int segments = 32) {
@@ -30,7 +28,7 @@ std::vector<vector<T, 2>> passive_fme_outline(const matrix<T, 2, 2>& G, const to
   return outline;
 }
 
-/// Closed outline [N] of what brakes with these limits [N m] can produce in one region: a parallelogram.
+/// Closed outline [N] of the forces of brakes with these limits [N m] in one region, a parallelogram.
 template <class T>
 std::vector<vector<T, 2>> torque_box_outline(const matrix<T, 2, 2>& G, const torque_signs<2>& region,
                                              const vector<T, 2>& limit) {

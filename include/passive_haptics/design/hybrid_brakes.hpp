@@ -1,5 +1,4 @@
-/// @file
-/// Brakes with a motor beside each, for questions of design alone: no law drives a motor.
+/// Brakes with motors on their axes, for design only: no law drives a motor.
 #pragma once
 
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
@@ -7,50 +6,46 @@
 
 namespace passive_haptics {
 
-/// The m brakes of a device, each with a motor on its axis: torques s_i t_i <= motor_limit_i in place of
-/// s_i t_i <= 0 (3), in a box that contains 0.
+/// The m brakes of a device, each with a motor on its axis: torques s_i t_i <= motor_limit_i instead of s_i
+/// t_i <= 0 (3), in a box that contains 0.
 ///
-/// Brake and motor are not added: what resists is the larger of the two. If they add up in your device, give
-/// their sum as the torque_limit. The interval of a brake that is off or works one way is not that of its
-/// motor. Brakes alone convert to this type, with motors of 0 N m. A controller does not take it
-/// (docs/guide/hybrid.md).
+/// Brake and motor torques are not added: the larger one counts. If they add up in your device, use their sum
+/// as the torque_limit. Brakes convert to this type. Controllers do not accept it (docs/guide/hybrid.md).
 template <class T, int Brakes>
 struct hybrid_brake_parameters {
   switchable_brake_parameters<T, Brakes> brakes;              ///< The brakes.
-  vector<T, Brakes> motor_limit = vector<T, Brakes>::Zero();  ///< Most torque of each motor, >= 0 [N m].
+  vector<T, Brakes> motor_limit = vector<T, Brakes>::Zero();  ///< Maximum torque of each motor, >= 0 [N m].
 
-  /// Brakes of 1 N m, no motors.
-  hybrid_brake_parameters() = default;
-  /// These brakes and these motors.
+  hybrid_brake_parameters() = default;  ///< Brakes of 1 N m, no motors.
+  /// Brakes and motors.
   hybrid_brake_parameters(const switchable_brake_parameters<T, Brakes>& brakes_alone,
                           const vector<T, Brakes>& motors = vector<T, Brakes>::Zero())
       : brakes(brakes_alone), motor_limit(motors) {}
 
-  /// These brakes, no motors.
+  /// Brakes without motors.
   hybrid_brake_parameters(const brake_parameters<T, Brakes>& brakes_alone) : brakes(brakes_alone) {}
 
-  /// Brakes of these torque limits [N m], no motors.
+  /// Brakes with these torque limits [N m], without motors.
   static hybrid_brake_parameters with_limits(const vector<T, Brakes>& torque_limit) {
     hybrid_brake_parameters limited;
     limited.brakes.torque_limit = torque_limit;
     return limited;
   }
 
-  /// Whether some motor makes a torque.
+  /// True if some motor has a torque.
   bool has_motors() const { return (motor_limit.array() > T(0)).any(); }
-  /// Whether limits and intervals are those of brakes and motors: no NaN, each on its side of 0.
+  /// True if limits and intervals are valid: no NaN, each on its side of 0.
   bool is_valid() const {
     return (brakes.torque_limit.array() >= T(0)).all() && (brakes.torque_lower.array() <= T(0)).all() &&
            (brakes.torque_upper.array() >= T(0)).all() && (motor_limit.array() >= T(0)).all();
   }
 };
 
-/// The brakes of mechanism M, each with a motor.
+/// The brakes of mechanism M with motors.
 template <class M>
 using hybrid_brakes = hybrid_brake_parameters<typename M::scalar, M::brake_count>;
 
-/// The box of torques that these brakes and motors can make with signs s: those of the brakes and of the
-/// motors, and all between.
+/// The box of torques that these brakes and motors can produce with signs s.
 template <class T, int Brakes>
 torque_box<T, Brakes> torque_box_of(const vector<T, Brakes>& s,
                                     const hybrid_brake_parameters<T, Brakes>& hybrid) {

@@ -1,6 +1,4 @@
-/// @file
-/// The largest force of brakes along a normal, by virtual work, and the checks of the arguments: the parts of
-/// displayable() and sink_slope().
+/// Parts of displayable() and sink_slope(): maximum normal force by virtual work, and checks of arguments.
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
@@ -15,7 +13,7 @@
 
 namespace passive_haptics::detail {
 
-// Largest power t . w of torques in the box at rates w. A rate of rounding size is none.
+// Maximum power t . w of torques in the box at rates w. Rates of rounding size count as 0.
 template <class T, int Brakes>
 T max_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& w) {
   const T rounding = rounding_tolerance<T>(Brakes) * w.cwiseAbs().maxCoeff();
@@ -25,7 +23,7 @@ T max_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& w) {
   return sum;
 }
 
-// Largest k for which the brakes can make torques k t.
+// Maximum k for which the brakes can produce torques k t.
 template <class B, class T, int Brakes>
 T max_share(const vector<T, Brakes>& t, const B& brakes) {
   const vector<T, Brakes> bound = passive_haptics::torque_bounds_of(brakes, t);
@@ -33,7 +31,7 @@ T max_share(const vector<T, Brakes>& t, const B& brakes) {
   return (t.array() != T(0)).select(shares, std::numeric_limits<T>::infinity()).minCoeff();
 }
 
-// Largest n . F of torques in a box: what they make against the easiest way. Infinite where there is none.
+// Maximum n . F of torques in a box against the easiest motion. Infinite if there is no motion.
 template <class Motions, class T, int D, int Brakes>
 T max_force_of_box(const Motions& motions, const torque_box<T, Brakes>& box, const vector<T, D>& n) {
   T least = std::numeric_limits<T>::infinity();
@@ -42,7 +40,7 @@ T max_force_of_box(const Motions& motions, const torque_box<T, Brakes>& box, con
   return least;
 }
 
-// Largest n . F of these brakes and motors while the end effector moves with v.
+// Maximum n . F of these brakes and motors while the end effector moves with v.
 template <class Motions, class T, int D, int Brakes>
 T max_force_in_motion(const Motions& motions, const vector<T, D>& v, const vector<T, D>& n,
                       const hybrid_brake_parameters<T, Brakes>& brakes) {
@@ -54,19 +52,18 @@ T max_force_in_motion(const Motions& motions, const vector<T, D>& v, const vecto
   return max_force;
 }
 
-// The part of a direction along a wall, as a unit vector; 0 where there is none.
+// Unit vector of a direction along a wall; 0 if it has no such part.
 template <class T, int D>
 vector<T, D> along_wall(const vector<T, D>& direction, const vector<T, D>& n) {
   const vector<T, D> v = direction_of(direction), along = v - n.dot(v) * n;
   return along.norm() > rounding_tolerance<T>(D) ? direction_of(along) : vector<T, D>(vector<T, D>::Zero());
 }
 
-// Neighbouring numbers of at least this size are 1e-4 rad or m apart: a joint position beyond it has no
-// meaningful sine.
+// Joint positions beyond it, at which adjacent numbers are 1e-4 rad or m apart, have no meaningful sine.
 template <class T>
 inline constexpr T max_joint_position = T(1e-4) / std::numeric_limits<T>::epsilon();
 
-// Why there is no result: of q, direction, normal or brakes. Else ok.
+// Error status of q, direction, normal or brakes, else ok.
 template <class M>
 status outcome_of(const joint_vector<M>& q, const task_vector<M>& direction, const task_vector<M>& normal,
                   const hybrid_brakes<M>& brakes) {

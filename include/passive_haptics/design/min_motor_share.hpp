@@ -1,5 +1,4 @@
-/// @file
-/// How much motor beside each brake a device would need to hold a hand.
+/// Motors that a device would need to hold a hand.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -12,32 +11,31 @@
 
 namespace passive_haptics {
 
-/// A share of motors, or why there is none.
+/// Result of min_motor_share.
 template <class T>
 struct motor_share_result {
-  /// ok, also where no motors hold the hand; else state_not_finite (q or the direction), contact_invalid (no
-  /// normal), parameters_invalid (a limit that is no finite number >= 0, or a push that is NaN),
-  /// pose_undefined, singular_jacobian (redundant brakes only).
+  /// ok, also if no motors hold the hand; else state_not_finite (q or the direction), contact_invalid (no
+  /// normal), parameters_invalid (a limit that is not a finite number >= 0, or a NaN push), pose_undefined,
+  /// singular_jacobian (redundant brakes only).
   status outcome = status::ok;
-  /// Torque of each motor for the torque limit of its brake [1], >= 0. Infinite where no motors are enough,
-  /// and where there is no result.
+  /// Torque of each motor by the limit of its brake [1], >= 0; infinite if no motors suffice.
   T share = std::numeric_limits<T>::infinity();
 };
 
 namespace detail {
 
-// Least share s >= 0 with  g(s) = sum over i of |w_i| max(u_i, s L_i) >= P, u_i being what brake i makes
-// against the rate w_i. g is convex and linear between the shares at which a motor becomes stronger than what
-// its brake makes, so Newton's method from above ends at the solution itself, after m steps at most.
+// Minimum share s >= 0 with  g(s) = sum over i of |w_i| max(u_i, s L_i) >= P, where brake i produces u_i
+// against the rate w_i. g is convex and piecewise linear, so Newton's method from above ends exactly at the
+// solution after at most m steps.
 template <class T, int Brakes>
 T min_share_against(const vector<T, Brakes>& rates, const torque_box<T, Brakes>& box,
                     const vector<T, Brakes>& limit, T push) {
   const T rounding = rounding_tolerance<T>(Brakes) * rates.cwiseAbs().maxCoeff();
   const vector<T, Brakes> w = (rates.array().abs() > rounding).select(rates, T(0)),
                           made = (w.array() > T(0)).select(box.upper, -box.lower);
-  T share = push / limit.dot(w.cwiseAbs());  // by the motors alone, at least what is needed
+  T share = push / limit.dot(w.cwiseAbs());  // upper bound: motors only
   for (int step = 0; step <= Brakes; ++step) {
-    T by_brakes = T(0), by_motors = T(0);  // the second for a share of 1
+    T by_brakes = T(0), by_motors = T(0);  // by_motors: for a share of 1
     for (int i = 0; i < Brakes; ++i) {
       const bool motor = share * limit[i] > made[i];
       (motor ? by_motors : by_brakes) += std::abs(w[i]) * (motor ? limit[i] : made[i]);
@@ -52,22 +50,19 @@ T min_share_against(const vector<T, Brakes>& rates, const torque_box<T, Brakes>&
 
 }  // namespace detail
 
-/// Least motor beside each brake, as a share of its torque limit, with which a hand is held on the wall, at
-/// sink slope 0. It pushes with `push` [N] and leads the end effector in `direction` at joint positions q. 0
-/// where brakes alone hold it. Direction and normal: base frame, any length; of the direction the part along
-/// the wall counts. Limits are finite: there is no share of a limit without bound.
+/// Returns the minimum motor for each brake, as a share of its torque limit, that holds a hand on the wall
+/// (sink slope 0) when it pushes with `push` [N] and moves the end effector in `direction` at joint positions
+/// q. 0 if the brakes suffice. Direction and normal: base frame, any length; only the direction's part along
+/// the wall counts. Limits must be finite.
 ///
-/// Motors of share s make s_i t_i <= s limit_i (hybrid_brakes). By virtual work they hold the push where
-/// their torques and the brakes' resist it on each way into the wall (displayable):
+/// Motors of share s produce s_i t_i <= s limit_i (hybrid_brakes). By virtual work they hold the push if
+/// motors and brakes together resist it on each motion into the wall (displayable):
 ///
-///     sum over i of |w_i| max(what brake i makes against w_i, s limit_i) >= P    for all w with J qd = n.
+///     sum over i of |w_i| max(torque of brake i against w_i, s limit_i) >= P    for all w with J qd = n.
 ///
-/// For n = d there is one way, and s = (P - F) / (what the brakes would make that cannot push out), F the
-/// strongest normal force of brakes alone. In general it is the largest over the ways of the easiest motion,
-/// and the least over the sets of brakes that can come to rest. Over 1 the motors are stronger than the
-/// brakes.
-///
-/// Never allocates. Cost: that of sink_slope.
+/// For n = d there is one such motion. In general s is the maximum over these motions, and the minimum over
+/// the sets of brakes that can come to rest. Above 1 the motors are stronger than the brakes. Never
+/// allocates.
 template <class M>
 motor_share_result<typename M::scalar> min_motor_share(const M& mechanism, const joint_vector<M>& q,
                                                        const task_vector<M>& direction,
@@ -102,9 +97,8 @@ motor_share_result<typename M::scalar> min_motor_share(const M& mechanism, const
   return found;
 }
 
-/// Least share with which the push is held everywhere on a path: the largest of its places. Infinite where
-/// one has no result. path(u) returns the path_point<M> at u in (0, 1). Called at the middles of `samples`
-/// equal parts. Throws std::invalid_argument for less than 1 sample. Cost: that of sink_slope for each.
+/// Returns the minimum share that holds the push on a path, the maximum over its points; infinite if a point
+/// has no result. path(u): path_point<M> at u in (0, 1). Throws std::invalid_argument for less than 1 sample.
 template <class M, class Path>
 typename M::scalar min_motor_share(const M& mechanism, Path&& path, const switchable_brakes<M>& brakes,
                                    typename M::scalar push, int samples = 200) {

@@ -1,5 +1,4 @@
-/// @file
-/// What looks odd about a device and its walls.
+/// Plausibility of a device and its walls.
 #pragma once
 
 #include <passive_haptics/core/parameter_text.hpp>
@@ -12,7 +11,6 @@
 namespace passive_haptics {
 namespace detail {
 
-// Remarks on each part that has parameters, the part named before.
 template <class X>
 std::string remarks_on(const std::string& part, const X& x) {
   if constexpr (Parameters<X>) return remarks(x, part + ": ");
@@ -23,11 +21,8 @@ std::string remarks_on(const std::string& part, const X& x) {
 
 }  // namespace detail
 
-/// A line for each value that is allowed, but looks as if it was meant in another unit: "mechanism: length_1
-/// [m] = 150, usually within 5 m: millimetres?", a wall of 1 N/m. Empty if there is none.
-///
-/// Of the mechanism, the brakes and the walls of a static_scene, as far as they have parameters with a table
-/// (core/parameters.hpp); see usual_range(). For a program to print as it starts, not for the loop.
+/// Returns a line for each value of mechanism, brakes and walls that is allowed, but looks like another unit:
+/// "mechanism: length_1 [m] = 150, usually within 5 m: millimetres?"; see usual_range(). For set-up.
 template <class M, class B, class Scene>
 std::string plausibility(const M& mechanism, const B& brakes, const Scene& scene) {
   std::string all = detail::remarks_on("mechanism", mechanism) + detail::remarks_on("brakes", brakes);
@@ -39,9 +34,8 @@ std::string plausibility(const M& mechanism, const B& brakes, const Scene& scene
   return all;
 }
 
-/// Beside these remarks: whether joint positions q look like degrees, the end effector there like
-/// millimetres, and whether it lies deep inside a wall, whose normal then may point the wrong way. Reads
-/// nothing but the mechanism's position, so that it serves a mechanism without a table.
+/// Also checks whether q looks like degrees, the end effector like millimetres or deep inside a wall. Uses
+/// only the mechanism's position, so the mechanism needs no table.
 template <class M, class B, class Scene>
 std::string plausibility(const M& mechanism, const B& brakes, const Scene& scene, const joint_vector<M>& q) {
   std::string all = plausibility(mechanism, brakes, scene);

@@ -1,5 +1,4 @@
-/// @file
-/// What looks odd about the states that a loop gives its controller.
+/// Plausibility of the states of a control loop.
 #pragma once
 
 #include <passive_haptics/control/device_state.hpp>
@@ -17,12 +16,11 @@ namespace passive_haptics {
 
 namespace detail {
 
-// Sums over a recorded motion.
 struct motion_sums {
   double max_step = 0;                                      // [s]
   int standing = 0, backward = 0;                           // time steps that are 0, or negative
   double rate_squares = 0, slope_squares = 0, product = 0;  // of qd and of the slopes of q
-  // Of the hand's impulse [N s] and the change of the velocity [m/s], window by window
+  // Hand impulse [N s] and change of velocity [m/s] per window
   double impulse_squares = 0, change_squares = 0, impulse_by_change = 0;
 };
 
@@ -33,7 +31,7 @@ motion_sums sums_of(const M& mechanism, const std::vector<State>& states) {
   const auto velocity = [&](const State& at) -> vec {
     return as<double>(mechanism_pose<M>(mechanism, at.q).velocity(at.qd));
   };
-  constexpr double window = 0.05;  // [s], over which the noise of encoders is small beside a hand's motion
+  constexpr double window = 0.05;  // [s], long enough for encoder noise to be small
   std::size_t first = 0;           // of the window
   vec impulse = vec::Zero();
   for (std::size_t k = 1; k < states.size(); ++k) {
@@ -64,13 +62,10 @@ motion_sums sums_of(const M& mechanism, const std::vector<State>& states) {
 
 }  // namespace detail
 
-/// A line for each thing that looks odd about the states of a loop, one a cycle; empty if there is none.
-/// Odd is a time that stands still, runs backwards or looks like milliseconds. Odd are rates that are not
-/// the slopes of the positions (degrees, a wrong sign, no rates at all), and a hand force that does not push
-/// where the handle accelerates (a wrong sign, another frame).
-///
-/// Record some seconds in which a hand moves the handle to and fro with the brakes released. Not for the
-/// loop: it allocates.
+/// Returns a line for each implausible property of the states of a loop, one state per cycle: a time that
+/// stands still, runs backwards or looks like milliseconds; rates that are not the slopes of the positions; a
+/// hand force that does not act along the acceleration. Record some seconds in which a hand moves the handle
+/// back and forth with the brakes released. For set-up.
 template <class M, class State>
 std::string plausibility(const M& mechanism, const std::vector<State>& states) {
   static_assert(is_device_state<State, M, explain>());
@@ -90,7 +85,7 @@ std::string plausibility(const M& mechanism, const std::vector<State>& states) {
   if (s.backward > 0) remark("cycles in which the time runs backwards", s.backward, "none: another clock?");
   if (s.max_step > 0.5) remark("longest time step [s]", s.max_step, "0.0001 to 0.01: milliseconds?");
 
-  const double slope = s.slope_squares > 0 ? s.product / s.slope_squares : 1;  // of the rates for those of q
+  const double slope = s.slope_squares > 0 ? s.product / s.slope_squares : 1;  // of qd over q'
   constexpr double degrees = 180 / std::numbers::pi;
   if (s.slope_squares > 0 && s.rate_squares == 0)
     remark("rates qd for each slope of q", 0, "1: is qd never filled?");

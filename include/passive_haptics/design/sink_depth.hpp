@@ -1,5 +1,4 @@
-/// @file
-/// How deep a hand sinks along a path that brakes cannot display.
+/// Depth of a hand along a path that brakes cannot display.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -11,16 +10,13 @@
 
 namespace passive_haptics {
 
-/// Depth [m] to which a hand that pushes with `push` [N] sinks on the way along a path, at least: the
-/// integral of the sink slope over the length of the path. 0 where it is held everywhere, infinite where it
-/// is held at no slope on some part of the path, or has no result there.
+/// Returns the minimum depth [m] of a hand that pushes with `push` [N] at the end of a path: the integral of
+/// the sink slope over its length. 0 if it is held everywhere, infinite if it is held at no slope on some
+/// part, or there is no result. path(u): path_point<M> at u in (0, 1), with end effectors along the wall;
+/// called at the middles of `samples` >= 2 equal parts, else std::invalid_argument is thrown.
 ///
-/// path(u) returns the path_point<M> at u in (0, 1), and its end effectors follow the wall: their distances
-/// are the path's length. Called at the middles of `samples` >= 2 equal parts, by the trapezoidal rule.
-///
-/// The slopes are those on the path, not at the depth: it holds as long as the depth is small beside the
-/// device. A hand whose push falls with the depth sinks less. Where more is held, no hand rises again.
-/// Throws std::invalid_argument for less than 2 samples. Cost: a sink_slope and a position for each.
+/// The slopes are those on the path, so the depth must be small compared with the device. A hand with a push
+/// that falls with the depth sinks less. Later parts of the path do not lift the hand again.
 template <class M, class Path>
 typename M::scalar sink_depth(const M& mechanism, Path&& path, const hybrid_brakes<M>& brakes,
                               typename M::scalar push, int samples = 200) {
@@ -45,7 +41,7 @@ typename M::scalar sink_depth(const M& mechanism, Path&& path, const hybrid_brak
   return depth + slope_before / T(2) * last_length;  // from the last middle to the end
 }
 
-/// The depth of brakes of these torque limits [N m].
+/// Overload for brakes with these torque limits [N m].
 template <class M, class Path>
 typename M::scalar sink_depth(const M& mechanism, Path&& path, const brake_vector<M>& torque_limit,
                               typename M::scalar push, int samples = 200) {

@@ -1,5 +1,4 @@
-/// @file
-/// How steeply a hand sinks into a wall that brakes cannot display.
+/// Slope at which a hand sinks into a wall that brakes cannot display.
 #pragma once
 
 #include <passive_haptics/design/max_resistance.hpp>
@@ -10,21 +9,19 @@
 
 namespace passive_haptics {
 
-/// A sink slope, or why there is none.
+/// Result of sink_slope.
 template <class T>
 struct sink_slope_result {
-  /// ok, also where nothing holds the hand; else state_not_finite (q or the direction), contact_invalid (no
-  /// normal), parameters_invalid (a limit, or a push that is NaN), pose_undefined, singular_jacobian
-  /// (redundant brakes only).
+  /// ok, also if nothing holds the hand; else state_not_finite, contact_invalid (no normal),
+  /// parameters_invalid (a limit, or a NaN push), pose_undefined, singular_jacobian (redundant brakes only).
   status outcome = status::ok;
-  /// Metres into the wall for each metre along it [1], >= 0. Infinite where the hand is not held at any
-  /// slope, and where there is no result.
+  /// Depth per distance along the wall [1], >= 0; infinite if the hand is not held at any slope.
   T slope = std::numeric_limits<T>::infinity();
 };
 
 namespace detail {
 
-// Rates of rounding size, beside the greatest of a vector, are none.
+// Sets rates of rounding size to 0.
 template <class T, int Brakes>
 vector<T, Brakes> without_rounding(const vector<T, Brakes>& w) {
   const T rounding = rounding_tolerance<T>(Brakes) * w.cwiseAbs().maxCoeff();
@@ -33,24 +30,22 @@ vector<T, Brakes> without_rounding(const vector<T, Brakes>& w) {
 
 }  // namespace detail
 
-/// Least slope >= 0 at which brakes resist `push` [N] whose forces add up: those of n = d, and of redundant
-/// brakes. a and b (m): rates of the brakes for a unit velocity along the wall and out of
-/// it, so that brake i turns at a_i - slope b_i. at_rest: the torques that each can make at rest [N m].
-/// motor_limit: what it can make however it turns [N m], from a motor beside it, or 0.
+/// Returns the minimum slope >= 0 at which brakes resist `push` [N] if their forces add up (n = d, and
+/// redundant brakes). a and b (m): brake rates for a unit velocity along the wall and along its outward
+/// normal, so that brake i rotates at a_i - slope b_i. at_rest: torques of each brake at rest [N m].
+/// motor_limit: torques of motors in any motion [N m].
 ///
-/// From slope_i = max(0, a_i / b_i) on, brake i turns so that it pushes out of the wall, with |b_i| times its
-/// torque. So the strongest normal force is a staircase in the slope, and the least slope is a weighted
-/// quantile:
+/// From slope_i = max(0, a_i / b_i) on, brake i pushes out of the wall with |b_i| times its torque. The
+/// maximum normal force is a step function of the slope, and the minimum slope is a weighted quantile:
 ///
-///     min { slope_i : sum over slope_k <= slope_i of |b_k| L_k  +  sum over the others of |b_k| motor_k >= P
-///     }
+///     min { slope_i : sum over slope_k <= slope_i of |b_k| L_k + sum over the others of |b_k| motor_k >= P }
 ///
-/// with L_k the bound of brake k that way; infinite where all together are too weak. Cost: m^2 additions.
+/// with the bound L_k of brake k in that direction; infinite if all together are too weak.
 template <class T, int Brakes>
 T min_sink_slope(const vector<T, Brakes>& a, const vector<T, Brakes>& b, const torque_box<T, Brakes>& at_rest,
                  const vector<T, Brakes>& motor_limit, T push) {
   const vector<T, Brakes> along = detail::without_rounding(a), out = detail::without_rounding(b);
-  // The slope at which each brake turns round, and its force before and after
+  // Slope at which each brake reverses, and its force before and after
   vector<T, Brakes> slope = vector<T, Brakes>::Zero(), before = slope, after = slope;
   for (int i = 0; i < Brakes; ++i) {
     if (out[i] == T(0)) continue;
@@ -71,7 +66,7 @@ T min_sink_slope(const vector<T, Brakes>& a, const vector<T, Brakes>& b, const t
 
 namespace detail {
 
-// Of brakes whose forces do not add up: that of the whole box at each slope at which a brake turns round.
+// For brakes with forces that do not add up: tries each slope at which a brake reverses.
 template <class M, class Motions>
 typename M::scalar sink_slope_by_trial(const Motions& motions, const task_vector<M>& along,
                                        const task_vector<M>& n, const hybrid_brakes<M>& brakes,
@@ -104,30 +99,28 @@ typename M::scalar sink_slope_by_trial(const Motions& motions, const task_vector
 
 }  // namespace detail
 
-/// The sink slope: the least slope, metres into the wall for each metre along it, at which these brakes
-/// resist `push` [N] against a wall with this normal, while a hand leads the end effector along it at joint
-/// positions q. 0 where they hold the hand on the wall. No law lets it sink less. Direction and normal: base
-/// frame, any length; of the direction the part along the wall counts. A hand that does not move along the
-/// wall is held, slope 0, or it is not, infinite.
+/// Returns the sink slope: the minimum slope, depth per distance along the wall, at which these brakes resist
+/// `push` [N] while a hand moves the end effector along a wall with this normal at joint positions q. 0 if
+/// they hold the hand on the wall. No law achieves less. Direction and normal: base frame, any length; only
+/// the direction's part along the wall counts. For a hand that does not move along the wall the slope is 0 if
+/// it is held, else infinite.
 ///
-/// A hand that sinks at slope s moves along t - s n, t the direction and n out of the wall. Brake i then
-/// turns at a_i - s b_i, with a = W t and b = W n (W = T J^+ and so on, see displayable), and from s = a_i /
-/// b_i on it pushes out of the wall. Where the brakes' forces add up (n = d, redundant brakes) the least
-/// slope is a weighted quantile of these (min_sink_slope). Else (n > d, singular poses) `max_force` of
-/// displayable is found at each of them, for each set of brakes that can come to rest.
+/// A hand that sinks at slope s moves along t - s n, with the direction t and the outward normal n. Brake i
+/// then rotates at a_i - s b_i, a = W t and b = W n (W = T J^+ and so on, see displayable), and pushes out of
+/// the wall from s = a_i / b_i on. If forces add up (n = d, redundant brakes), the minimum slope is a
+/// weighted quantile of these (min_sink_slope). Otherwise (n > d, singular poses) `max_force` of displayable
+/// is evaluated at each of them, for each set of brakes that can come to rest.
 ///
-/// **No slope between them is less.** At s = a_i / b_i brake i rests and can hold either way, so that torques
-/// that are possible at slopes directly below or above it are possible there: the least slope is 0 or one of
-/// these.
+/// **The minimum is 0 or one of these slopes.** At s = a_i / b_i brake i rests and can hold either way, so
+/// torques that are possible at slopes directly below or above are possible there.
 ///
-/// **At steeper slopes the brakes hold, too**, if their forces add up or their self-motion settles. Let t* be
-/// torques at slope s, and w the rates of the easiest way into the wall (displayable), t*_i w_i >= 0, since
-/// t* makes most of a box that contains 0. At a steeper slope s + r the brakes can turn r w slower than at s,
-/// so that t* still takes power from none of them. At singular poses this need not be so.
+/// **The brakes also hold at steeper slopes**, if their forces add up or their self-motion settles. Let t* be
+/// torques at slope s, and w the rates of the easiest motion into the wall (displayable), t*_i w_i >= 0,
+/// since t* is optimal in a box that contains 0. At a steeper slope s + r the brakes can rotate r w slower
+/// than at s, so t* still does not drive any of them. This need not hold at singular poses.
 ///
-/// Motors of hybrid_brakes make motor_limit_i at any slope. Never allocates. Cost: some five times that of G
-/// for two brakes, of which min_sink_slope is an eighth; with self-motion up to C(m, n - d)^2 (m + 1) sums
-/// of m terms.
+/// Motors of hybrid_brakes produce motor_limit_i at any slope. Never allocates. With self-motion up to C(m, n
+/// - d)^2 (m + 1) sums of m terms.
 template <class M>
 sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint_vector<M>& q,
                                                  const task_vector<M>& direction,
@@ -165,7 +158,7 @@ sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint
   return found;
 }
 
-/// The sink slope of brakes of these torque limits [N m].
+/// Overload for brakes with these torque limits [N m].
 template <class M>
 sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint_vector<M>& q,
                                                  const task_vector<M>& direction,

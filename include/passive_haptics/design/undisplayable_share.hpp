@@ -1,5 +1,4 @@
-/// @file
-/// On how much of a path no law can hold a hand.
+/// Share of a path on which no law can hold a hand.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -8,12 +7,9 @@
 
 namespace passive_haptics {
 
-/// Share [1] of a path on which these brakes, and motors beside them, cannot display `push` [N] against the
-/// wall; with push = 0 that on which they can display nothing, whatever their limits. Poses without a result
-/// count.
-///
-/// path(u) returns the path_point<M> at u in (0, 1). Called at the middles of `samples` equal parts. Throws
-/// std::invalid_argument for less than 1 sample. Cost: that of `displayable` for each.
+/// Returns the share [1] of a path on which these brakes, including motors, cannot display `push` [N] against
+/// the wall, or anything for push = 0. Poses without a result count. path(u): path_point<M> at u in (0, 1).
+/// Throws std::invalid_argument for less than 1 sample.
 template <class M, class Path>
 double undisplayable_share(const M& mechanism, Path&& path, const hybrid_brakes<M>& brakes,
                            typename M::scalar push = 0, int samples = 200) {
@@ -26,7 +22,7 @@ double undisplayable_share(const M& mechanism, Path&& path, const hybrid_brakes<
   return static_cast<double>(weak) / samples;
 }
 
-/// The share of brakes of these torque limits [N m].
+/// Overload for brakes with these torque limits [N m].
 template <class M, class Path>
 double undisplayable_share(const M& mechanism, Path&& path,
                            const brake_vector<M>& torque_limit =

@@ -1,5 +1,4 @@
-/// @file
-/// A loop that wakes at absolute times.
+/// A loop with absolute wake-up times.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -16,14 +15,12 @@
 
 namespace passive_haptics {
 
-/// Timing of a control loop.
+/// Parameters of control_loop.
 struct control_loop_parameters {
   double period = 1e-3;  ///< [s]; section 5.1: 1 kHz.
-  int max_overruns = 5;  ///< So many cycles in a row may end late; one more releases the brakes.
-  /// Waking later than this releases the brakes: the machine or the process stood still [s].
-  double max_sleep = 0.1;
+  int max_overruns = 5;  ///< Allowed number of successive cycles that end late; one more releases the brakes.
+  double max_sleep = 0.1;  ///< Maximum delay of a wake-up; a longer one releases the brakes [s].
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = control_loop_parameters;
     return member_table(
@@ -35,24 +32,23 @@ struct control_loop_parameters {
 
 /// A cycle of the loop.
 struct loop_cycle {
-  std::int64_t number = 0;  ///< Of the periods since the start; what was missed is counted, too.
-  double time = 0;          ///< When it began [s], on the loop's clock.
-  double late = 0;          ///< After it should have begun [s].
+  std::int64_t number = 0;  ///< Number of periods since the start, including missed ones.
+  double time = 0;          ///< Start on the loop's clock [s].
+  double late = 0;          ///< Delay of the start [s].
 };
 
-/// What a loop did.
+/// Statistics of a loop.
 struct loop_report {
-  std::uint64_t cycles = 0;      ///< That ran.
-  std::uint64_t missed = 0;      ///< That were skipped because one before them took too long.
-  std::uint64_t overruns = 0;    ///< That ended after the next should have begun.
-  duration_histogram late;       ///< From when a cycle should have begun to when it did.
-  duration_histogram compute;    ///< From when a cycle began to when it ended.
-  fault ended_by = fault::none;  ///< none if the cycle or stop() ended it, law_failed where the cycle threw.
-  std::string exception;         ///< What the cycle threw.
+  std::uint64_t cycles = 0;      ///< Cycles that ran.
+  std::uint64_t missed = 0;      ///< Cycles skipped after a long one.
+  std::uint64_t overruns = 0;    ///< Cycles that ended after the next should have begun.
+  duration_histogram late;       ///< Delays of the starts.
+  duration_histogram compute;    ///< Durations of the cycles.
+  fault ended_by = fault::none;  ///< none, or law_failed if the cycle threw.
+  std::string exception;         ///< Text of the exception.
 };
 
-/// Wakes at start + k period, so that lateness never adds up; what a long cycle missed is skipped, and the
-/// phase kept.
+/// Wakes at start + k period, so that delays do not accumulate; cycles missed during a long one are skipped.
 template <LoopClock Clock = monotonic_clock>
 class control_loop {
  public:
@@ -60,7 +56,7 @@ class control_loop {
   explicit control_loop(const control_loop_parameters& p = {}, Clock clock = {})
       : p_(require_valid(p)), clock_(std::move(clock)), period_(std::llround(1e9 * p.period)) {
 #if defined(__cpp_exceptions)
-    // The first exception of a process loads the code that unwinds the stack, which takes as long as a cycle
+    // Preloads the code for exceptions, which takes as long as a cycle
     try {
       throw 0;
     } catch (int) {
@@ -68,19 +64,17 @@ class control_loop {
 #endif
   }
 
-  /// Runs until stop() is true or cycle(loop_cycle) is false. Before it returns, and if it runs late, the
-  /// clock jumps or the machine was suspended for more than a period (LoopClock), it calls release(fault),
-  /// which must not throw; after those the loop goes on, so that somebody can rearm.
-  ///
-  /// A cycle that throws ends the loop: its exception is in the report. Between cycles nothing but the clock
-  /// is called.
+  /// Runs until stop() is true or cycle(loop_cycle) is false; between cycles only the clock is called. Calls
+  /// release(fault), which must not throw, before it returns, and if the loop is late, the clock jumps or the
+  /// machine was suspended; the loop then continues, so that the user can rearm. An exception of the cycle
+  /// ends the loop and is stored in the report.
   template <class Cycle, class Stop, class Release>
   loop_report run(Cycle&& cycle, Stop&& stop, Release&& release) {
     loop_report report;
     const std::int64_t start = clock_.now();
     std::int64_t number = 0;
     int overruns = 0;
-    // So far, and a little more if anything came between the two clocks; below, a little less
+    // Slightly too long if anything came between the two clocks; below, slightly too short
     std::int64_t suspended = boot_time() - start;
     while (!stop()) {
       const std::int64_t deadline = start + ++number * period_;
@@ -91,7 +85,7 @@ class control_loop {
         release(fault::suspended);
         suspended = boot_time() - begin;
       }
-      // No cycle ends after the next deadline: a clock that went back is before it
+      // No cycle ends after the next deadline, so an earlier time means that the clock went back
       if (late < 0) release(fault::clock_jump);
       else if (static_cast<double>(late) > 1e9 * p_.max_sleep) release(fault::cycle_late);
       report.late.add(late);
@@ -123,7 +117,6 @@ class control_loop {
       }
       ++report.overruns;
       if (++overruns > p_.max_overruns) release(fault::overruns);
-      // Only such deadlines as are still ahead
       const std::int64_t past = (end - start) / period_ - number;
       report.missed += static_cast<std::uint64_t>(past);
       number += past;

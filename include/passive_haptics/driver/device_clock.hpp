@@ -1,5 +1,4 @@
-/// @file
-/// A device's microseconds on the host's clock.
+/// Conversion of device time to the host's clock.
 #pragma once
 
 #include <algorithm>
@@ -7,27 +6,23 @@
 
 namespace passive_haptics {
 
-/// The time at which a device took a sample, on the host's clock, for a port to a device that sends its own
-/// time with each. Takes the sample that came fastest for one that took no time: host time = device time +
-/// the least offset seen, which may grow by `drift` so that it follows a device whose clock is slow. A sample
-/// that waited somewhere is then seen to be old. Samples are dated later than they were taken by the shortest
-/// way to the host (the frame's time on the line).
+/// Sampling times on the host's clock, for a device that sends its own time with each sample. The fastest
+/// sample is assumed to have had no delay: host time = device time + minimum offset, which may grow by
+/// `drift`. Delayed samples thus appear old. The remaining error is the shortest transfer time.
 class device_clock {
  public:
-  static constexpr double drift =
-      1e-3;  ///< How much slower than the host's the device's clock may be; a quartz is 1e-4.
+  static constexpr double drift = 1e-3;  ///< Maximum rate error of a slow device clock; a quartz has 1e-4.
 
-  /// When a sample of this device time [us, modulo 2^32] was taken, which was read `now` [s, the host's
-  /// clock]; the result, too. Never after `now`. A device that starts again is taken up with its first
-  /// sample.
+  /// Returns the time [s, host clock] of a sample with this device time [us, modulo 2^32] that was read at
+  /// `now` [s, host clock]. Never later than `now`. A restarted device is followed from its first sample.
   double to_host(std::uint32_t device_time, double now) noexcept {
-    // A step back is one of nearly 2^32 forward, of which the least offset makes a new beginning.
+    // A step back is nearly 2^32 forward, which the minimum offset turns into a restart.
     const double step = started_ ? 1e-6 * static_cast<double>(device_time - last_) : 0;
     last_ = device_time;
     elapsed_ += step;
     offset_ = started_ ? std::min(offset_ + drift * step, now - elapsed_) : now;
     started_ = true;
-    return std::min(offset_ + elapsed_, now);  // which rounding may pass
+    return std::min(offset_ + elapsed_, now);  // limits rounding
   }
 
  private:

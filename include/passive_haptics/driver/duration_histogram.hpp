@@ -1,5 +1,4 @@
-/// @file
-/// How long things took, counted while they happen.
+/// Histograms of durations.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +8,10 @@
 
 namespace passive_haptics {
 
-/// Counts durations in bins of 1/16 of their power of two, from 1 ns to years: percentiles to 6 %, the
-/// largest exactly. Adding one costs some instructions; no allocation.
+/// Counts durations from 1 ns to years: percentiles to 6 %, exact maximum. Fast, without allocation.
 class duration_histogram {
  public:
-  /// One duration [ns]; a negative one counts as 0.
+  /// Adds a duration [ns]; negative ones count as 0.
   void add(std::int64_t duration) noexcept {
     const auto value = static_cast<std::uint64_t>(std::max<std::int64_t>(0, duration));
     ++bins_[index_of(value)];
@@ -22,14 +20,13 @@ class duration_histogram {
     maximum_ = std::max(maximum_, value);
   }
 
-  /// How many.
-  std::uint64_t count() const noexcept { return count_; }
-  /// The largest [ns]; 0 if there is none.
+  std::uint64_t count() const noexcept { return count_; }  ///< Number of durations.
+  /// Maximum [ns]; 0 if empty.
   std::int64_t maximum() const noexcept { return static_cast<std::int64_t>(maximum_); }
-  /// The mean [ns]; 0 if there is none.
+  /// Mean [ns]; 0 if empty.
   double mean() const noexcept { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
 
-  /// What a share of all, 0 to 1, is not over [ns]: the upper end of its bin. 0 if there is none.
+  /// Upper bin limit that a share of the durations, 0 to 1, does not exceed [ns]; 0 if empty.
   std::int64_t percentile(double share) const noexcept {
     const double wanted = share * static_cast<double>(count_);
     std::uint64_t sum = 0;
@@ -41,7 +38,7 @@ class duration_histogram {
     return maximum();
   }
 
-  /// How many were in [from, to) [ns], where both are powers of two.
+  /// Number in [from, to) [ns], both powers of two.
   std::uint64_t between(std::uint64_t from, std::uint64_t to) const noexcept {
     std::uint64_t sum = 0;
     for (std::size_t i = index_of(from); i < index_of(to); ++i) sum += bins_[i];
@@ -52,7 +49,7 @@ class duration_histogram {
   static constexpr std::size_t parts = 16;  // of a power of two
   static constexpr int part_bits = 4;
 
-  // The first 16 bins are whole numbers, then 16 for each power of two
+  // 16 bins for whole numbers, then 16 per power of two
   static std::size_t index_of(std::uint64_t value) noexcept {
     if (value < parts) return value;
     const auto power = static_cast<int>(std::bit_width(value)) - 1;

@@ -1,43 +1,42 @@
-/// @file
-/// Why a driver releases the brakes.
+/// Reasons for the release of the brakes.
 #pragma once
 
 #include <passive_haptics/core/text.hpp>
 
 namespace passive_haptics {
 
-/// What can be wrong with a device, its samples, a command or the loop.
+/// Faults of a device, its samples, a command or the loop.
 enum class fault {
   none,
   // of a transfer
-  device_lost,          ///< The port says that no further transfer can be expected.
-  sample_missing,       ///< Nothing came.
-  sample_damaged,       ///< Cut off, or a wrong checksum.
-  sample_repeated,      ///< A sequence number came twice.
-  sample_out_of_order,  ///< An older one than the last.
-  sample_late,          ///< Its time is too long ago, or ahead.
-  device_restarted,     ///< The sequence number jumped: what the device did meanwhile is unknown.
-  write_refused,        ///< The device took no currents.
+  device_lost,          ///< The port reports that no further transfer is possible.
+  sample_missing,       ///< No sample arrived.
+  sample_damaged,       ///< Incomplete, or wrong checksum.
+  sample_repeated,      ///< A sequence number was repeated.
+  sample_out_of_order,  ///< Older than the previous sample.
+  sample_late,          ///< Its time is too far in the past or future.
+  device_restarted,     ///< The sequence number jumped: the motion in between is unknown.
+  write_refused,        ///< The device rejected the currents.
   // of a channel
-  channel_invalid,     ///< The device itself says so.
+  channel_invalid,     ///< Reported by the device.
   value_not_finite,    ///< NaN or infinity.
-  count_out_of_range,  ///< A count that the counter of an encoder does not have.
+  count_out_of_range,  ///< Outside the range of the encoder's counter.
   encoder_jump,        ///< Faster than the device can move.
-  counter_wrapped,     ///< The pause since the last sample is so long that a counter may have wrapped unseen.
-  encoder_frozen,      ///< Does not change while the others move.
+  counter_wrapped,     ///< The pause since the last sample exceeds wrap_time().
+  encoder_frozen,      ///< Unchanged while the others move.
   sensor_saturated,    ///< At the end of its range.
   current_not_valid,   ///< A command that is NaN, infinite or negative.
   // of the loop
-  law_failed,       ///< The control law threw, or its result is a fault.
-  overruns,         ///< Too many cycles in a row took too long.
-  cycle_late,       ///< A cycle began far too late: the machine or the process stood still.
-  clock_jump,       ///< The clock went back, or is no number.
-  suspended,        ///< The machine was suspended: what the device did meanwhile is unknown.
-  supervisor_lost,  ///< The other process does not respond, or released the brakes itself.
-  user,             ///< Requested: a signal, or a call of release().
+  law_failed,       ///< The control law threw, or returned a fault.
+  overruns,         ///< Too many successive cycles took too long.
+  cycle_late,       ///< A cycle began far too late.
+  clock_jump,       ///< The clock went back, or is not a number.
+  suspended,        ///< The machine was suspended: the motion in between is unknown.
+  supervisor_lost,  ///< The other process does not respond, or released the brakes.
+  user,             ///< Requested by a signal or release().
 };
 
-/// The fault in words.
+/// Text of a fault.
 constexpr std::string_view to_string(fault f) {
   switch (f) {
     case fault::none: return "no fault";
@@ -68,33 +67,32 @@ constexpr std::string_view to_string(fault f) {
   return "unknown fault";
 }
 
-/// Where a fault is.
+/// Location of a fault.
 enum class fault_source { loop, encoders, force_sensor, brakes };
 
-/// A fault, and where.
+/// A fault and its location.
 struct fault_record {
-  fault what = fault::none;                  ///< none: nothing is wrong.
-  fault_source source = fault_source::loop;  ///< Where.
-  int channel = -1;                          ///< From 0; -1 where it is of no single one.
+  fault what = fault::none;                  ///< none for no fault.
+  fault_source source = fault_source::loop;  ///< Location.
+  int channel = -1;                          ///< From 0; -1 for no single channel.
 
-  /// Whether two faults are of one kind at one place.
-  bool operator==(const fault_record&) const = default;
+  bool operator==(const fault_record&) const = default;  ///< True for equal faults at one location.
 };
 
-/// Whether nothing can stand in for what is lost: the brakes are released at once.
+/// True if the fault cannot be bridged and releases the brakes immediately.
 constexpr bool releases_immediately(const fault_record& i) noexcept {
   return i.what == fault::device_lost || i.what == fault::encoder_frozen ||
          i.what == fault::counter_wrapped ||
          (i.what == fault::device_restarted && i.source == fault_source::encoders);
 }
 
-/// True if a sample arrived but its content is rejected: it is damaged, invalid, out of range or a jump.
+/// True if a sample arrived but was rejected as damaged, invalid, out of range or a jump.
 constexpr bool rejects_sample(fault f) noexcept {
   return f == fault::sample_damaged || f == fault::channel_invalid || f == fault::value_not_finite ||
          f == fault::count_out_of_range || f == fault::encoder_jump || f == fault::sensor_saturated;
 }
 
-/// Whether the encoders may have lost their way, if it lasts.
+/// True if the encoder position may be wrong after this fault, if it persists.
 constexpr bool invalidates_position(fault f) noexcept {
   return f == fault::device_lost || f == fault::device_restarted || f == fault::sample_out_of_order ||
          f == fault::channel_invalid || f == fault::value_not_finite || f == fault::count_out_of_range ||
@@ -102,7 +100,7 @@ constexpr bool invalidates_position(fault f) noexcept {
          f == fault::suspended;
 }
 
-/// The fault_record in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.
+/// Text such as "encoder 2: jumped", channels from 1. Allocates.
 inline std::string to_string(const fault_record& i) {
   std::string text(i.channel < 0 ? detail::word_of(i.source, {"", "encoders", "force sensor", "brakes", ""})
                                  : detail::word_of(i.source, {"", "encoder", "force channel", "brake", ""}));

@@ -1,5 +1,4 @@
-/// @file
-/// What can go wrong while brakes hold, who notices it, and the longest time until 0 A.
+/// Hazards while brakes hold, their detection, and the maximum time until 0 A.
 #pragma once
 
 #include <passive_haptics/driver/control_loop.hpp>
@@ -14,45 +13,42 @@
 
 namespace passive_haptics {
 
-/// The parameters of a driver and of an idle machine on which these times depend.
+/// Parameters of a driver and of an idle machine that determine these times.
 struct driver_timing {
-  control_loop_parameters loop;                               ///< Its period and overruns.
-  double hold_over = safe_port_parameters<1, 0>().hold_over;  ///< Of the safe_port [s].
-  release_parameters at_release;                              ///< Of the safe_port and the supervisor.
-  supervisor_parameters supervisor;                           ///< Its timeout.
-  polling_parameters thread;                                  ///< Of the threaded_port.
-  double bench_hold_over = 0.1;                               ///< Of record_on_bench() [s],
-  double bench_overtime = 1;                                  ///< and how long it waits for the end [s].
-  double watchdog = 0;                                        ///< Of the device [s]; 0 for none.
-  /// How late the kernel wakes a process that sleeps for at most 50 ms [s]: 0.05 ms of timer slack, prctl(2),
-  /// and 0.1 ms to leave an idle state.
+  control_loop_parameters loop;                               ///< Period and overruns.
+  double hold_over = safe_port_parameters<1, 0>().hold_over;  ///< safe_port [s].
+  release_parameters at_release;                              ///< safe_port and supervisor.
+  supervisor_parameters supervisor;                           ///< Timeout.
+  polling_parameters thread;                                  ///< threaded_port.
+  double bench_hold_over = 0.1;                               ///< record_on_bench() [s].
+  double bench_overtime = 1;                                  ///< Maximum overtime of record_on_bench() [s].
+  double watchdog = 0;                                        ///< Watchdog of the device [s]; 0 for none.
+  /// Maximum wake-up delay of a process [s]: 0.05 ms timer slack (prctl(2)), 0.1 ms to leave an idle state.
   double wake_up = 1.5e-4;
-  /// How long the kernel takes to end a killed process [s]: it frees the memory before it closes the pipe,
-  /// about 0.07 ms for each MiB; 2 ms suffice for 28 MiB, or for 8 MiB on a virtual machine.
+  /// Time for the kernel to end a killed process [s]: it frees the memory before it closes the pipe, about
+  /// 0.07 ms per MiB; 2 ms suffice for 28 MiB, or 8 MiB on a virtual machine.
   double process_end = 2e-3;
 };
 
 /// One thing that can go wrong.
 struct hazard {
-  std::string_view what;      ///< What happens.
-  std::string_view found_by;  ///< Who notices it.
-  double max_time = 0;        ///< The longest time from what happens to the order of 0 A [s]; inf: never.
-  std::string_view after;     ///< How the brakes can be driven again.
+  std::string_view what;      ///< Event.
+  std::string_view found_by;  ///< Detection.
+  double max_time = 0;        ///< Maximum time from the event to the command of 0 A [s]; inf: never.
+  std::string_view after;     ///< Recovery.
 };
 
-/// All hazards of a driver with a safe_port, a control_loop, a supervisor and a threaded_port, each with the
-/// longest time until 0 A is ordered on a machine that is otherwise idle. The transfer of that order comes on
-/// top. Source: each time is the sum of the parameters and constants in its formula; `benchmarks/run hazards`
-/// measures them.
+/// All hazards of a driver with a safe_port, a control_loop, a supervisor and a threaded_port, with the
+/// maximum time until 0 A is commanded on an idle machine; `benchmarks/run hazards` measures them.
 inline std::vector<hazard> hazards(const driver_timing& p = {}) {
   constexpr double never = std::numeric_limits<double>::infinity();
-  // From anything to the next cycle; from the last good sample, or write, to the cycle that releases
+  // Time to the next cycle; from the last good sample or write to the releasing cycle
   const double cycle = p.loop.period + p.wake_up, held = p.hold_over + cycle;
   const double supervised = p.supervisor.latest(p.wake_up);  // from the last heartbeat
-  // A release whose currents last is over with the next of them
+  // The last current of a release that takes time is followed by 0 A
   const double lasts = p.at_release.max_duration();
   const double next = std::max(cycle, p.supervisor.release_interval + p.wake_up);
-  // By a supervisor that the loop does not come back to, and by the loop
+  // For a supervisor without the loop, and for the loop
   const double by_supervisor = lasts > 0 ? lasts + next : 0;
   const double by_loop = p.at_release.policy == release_policy::hold ? never : by_supervisor;
   constexpr std::string_view rearm = "rearm", homing = "start again, with homing", ends = "it ends";
@@ -85,14 +81,14 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
        std::max(cycle + by_loop, supervised + by_supervisor), rearm},
       {"The machine goes on after a suspend, in which only the device's watchdog can act",
        "control_loop: CLOCK_BOOTTIME", cycle + by_loop, homing},
-      // Each takes less than what the supervisor accepts
+      // The supervisor accepts each of these cycles
       {"More than `max_overruns` cycles in a row end late", "control_loop",
        cycle + (p.loop.max_overruns + 1) * supervised + by_loop, rearm},
       {"The law throws", "control_loop", cycle + by_supervisor, ends},
       {"SIGINT, SIGTERM, SIGHUP, the end of `--seconds`", "the loop", cycle + by_supervisor, ends},
       {"The program destroys its ports while the brakes hold: a return, an exception", "the port's thread",
        p.thread.pause + p.wake_up, ends},
-      // If the kernel takes long to end it, the heartbeat is missing first
+      // If the kernel takes long, the missing heartbeat is detected first
       {"The loop's process dies: SIGKILL, SIGSEGV, SIGABRT, SIGBUS, SIGQUIT or another signal that ends it",
        "supervisor: its pipe closes", std::min(p.process_end + p.wake_up, supervised) + by_supervisor, ends},
       {"It dies where the system refuses `close_range`", "supervisor: its pipe closes",
@@ -105,7 +101,7 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
        supervised + by_supervisor, rearm},
       {"A transfer of a threaded port does not return", "safe_port: for `hold_over`, then no heartbeat",
        held + cycle + supervised + by_supervisor, "rearm, if it returns"},
-      // The loop sees the supervisor's last look in its next cycle, and begins to count there
+      // The loop sees the supervisor's last look in its next cycle and starts counting there
       {"The supervisor dies or is stopped", "the loop", cycle + p.supervisor.lost() + cycle + by_loop,
        "start the program again"},
       {"Loop and supervisor die or are stopped", "the device's watchdog", p.watchdog > 0 ? p.watchdog : never,

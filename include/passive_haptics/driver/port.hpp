@@ -1,5 +1,4 @@
-/// @file
-/// What a driver requires of hardware: a port to brakes and encoders, and a force sensor.
+/// Hardware interface of a driver: a port to brakes and encoders, and a force sensor.
 #pragma once
 
 #include <passive_haptics/core/explain.hpp>
@@ -13,15 +12,16 @@
 
 namespace passive_haptics {
 
-/// How a transfer ended.
+/// Result of a transfer.
 enum class port_status {
-  ok,          ///< A new sample was read; the currents were handed to the device.
-  no_sample,   ///< Nothing new came. For a while the last good sample stands in.
-  bad_sample,  ///< What came is damaged: cut off, a wrong checksum or length. The last good one stands in.
-  failed,      ///< The device is gone or refuses; no further transfer can be expected.
+  ok,          ///< A new sample was read; the currents were passed to the device.
+  no_sample,   ///< No new sample. The last good one remains valid for a while.
+  bad_sample,  ///< A damaged sample: incomplete, wrong checksum or length. The last good one remains valid
+               ///< for a while.
+  failed,      ///< The device is gone or rejects all transfers.
 };
 
-/// The status in words.
+/// Text of a status.
 constexpr std::string_view to_string(port_status s) {
   return detail::word_of(s, {"ok", "no new sample", "damaged sample", "device lost", "unknown port status"});
 }
@@ -30,14 +30,13 @@ constexpr std::string_view to_string(port_status s) {
 template <int N>
 struct port_sample {
   static constexpr auto channels = static_cast<std::size_t>(N);  ///< N
-  double time = 0;                       ///< When it was taken [s], CLOCK_MONOTONIC (device_clock).
-  std::uint32_t sequence = 0;            ///< One more with each sample that the device takes, modulo 2^32.
-  std::array<double, channels> value{};  ///< As the device reports them; counts need not be whole.
-  /// False where the device itself says that a channel is not to be trusted.
-  std::array<bool, channels> valid{};
+  double time = 0;                       ///< Sampling time [s], CLOCK_MONOTONIC (device_clock).
+  std::uint32_t sequence = 0;            ///< Incremented with each sample by the device, modulo 2^32.
+  std::array<double, channels> value{};  ///< As reported by the device; counts may be fractional.
+  std::array<bool, channels> valid{};    ///< False for channels that the device reports as invalid.
 };
 
-/// An array with one number for each of N channels or brakes.
+/// An array with this value for each of N channels or brakes.
 template <int N>
 constexpr std::array<double, static_cast<std::size_t>(N)> same_for_each(double value) {
   std::array<double, static_cast<std::size_t>(N)> all{};
@@ -45,7 +44,7 @@ constexpr std::array<double, static_cast<std::size_t>(N)> same_for_each(double v
   return all;
 }
 
-/// Currents for N brakes [A], each >= 0.
+/// Currents of N brakes [A], each >= 0.
 template <int N>
 using brake_currents = std::array<double, static_cast<std::size_t>(N)>;
 
@@ -77,7 +76,7 @@ concept reads_forces = requires(S sensor, port_sample<S::channel_count>& sample)
 };
 }  // namespace detail
 
-/// The requirements of BrakePort, one message for each: `static_assert(is_port<P, explain>())`.
+/// Requirements of BrakePort, one message for each: `static_assert(is_port<P, explain>())`.
 template <class P, bool Explain = false>
 consteval bool is_port() {
   if constexpr (!detail::names_port_sizes<P>)
@@ -99,7 +98,7 @@ consteval bool is_port() {
   return Explain;
 }
 
-/// The way to the brakes and encoders of a device. A minimal one has
+/// Access to the brakes and encoders of a device. Minimal complete definition:
 ///
 ///     static constexpr int encoder_count, brake_count;
 ///     std::string open();
@@ -107,42 +106,39 @@ consteval bool is_port() {
 ///     port_status write(const brake_currents<brake_count>&) noexcept;
 ///     void release() noexcept;
 ///
-///   - open: called once, before the loop. Empty if the device is ready. Else it says what is missing, by
-///     name, and what to do; then nothing but release() is called.
-///   - read: the latest sample. Returns at once, whether there is a new one or not. The sample counts only
-///     with ok. If the port itself dates it, then after the counts were latched: a pause in between is then
-///     seen, and with it that a counter may have wrapped (wrap_time).
-///   - write: hands over currents in [0, limit], already checked. Returns at once.
-///   - release: 0 A on all brakes, as fast as the device can. It may be called at any time, also before
-///     open(), twice and after a failure; the destructor calls it. A port that is still there can be written
-///     to again.
+///   - open: called once, before the loop. Returns an empty string if the device is ready, else what is
+///     missing and what to do; then only release() is called.
+///   - read: the latest sample, which counts only with status ok. Returns immediately. A port that dates the
+///     sample itself must do so after latching the counts, so that a pause, in which a counter may have
+///     wrapped (wrap_time), is detected.
+///   - write: passes checked currents in [0, limit] to the device. Returns immediately.
+///   - release: 0 A on all brakes, as fast as possible. May be called at any time, also before open(), twice
+///     and after a failure; the destructor calls it. A port that still works can be written to again.
 ///
-/// Once it is open, a port whose counters wrap also has `int counter_bits() const noexcept`, their width; and
-/// one to a device that lets go by itself where nobody writes any more has `double watchdog() const
-/// noexcept`, after how long [s].
+/// Optional, once open: `int counter_bits() const noexcept`, the width of counters that wrap, and `double
+/// watchdog() const noexcept`, the time [s] after which the device releases the brakes without writes.
 ///
-/// Laws: read, write and release neither allocate, throw, lock nor wait. Where the kernel or a bus may make
-/// them wait, they are called by a thread: threaded_port<P> keeps the law for any P. A second P may be open
-/// to the same device in another process, of which only open(), write() and release() are called
+/// Laws: read, write and release neither allocate, throw, lock nor wait; if the kernel or a bus may make them
+/// wait, use threaded_port<P>. A second P may be open in another process, for open(), write() and release()
 /// (supervisor).
 template <class P>
 concept BrakePort = is_port<P>();
 
-/// Width of the counters behind a port [bits]; 0 where they never wrap.
+/// Width of the counters of a port [bits]; 0 if they never wrap.
 template <BrakePort P>
 constexpr int counter_bits(const P& port) noexcept {
   if constexpr (requires { port.counter_bits(); }) return port.counter_bits();
   else return 0;
 }
 
-/// How long a device behind a port holds without being written to [s]; 0 where it does so for ever.
+/// Time for which the device holds without writes [s]; 0 for indefinitely.
 template <BrakePort P>
 constexpr double watchdog(const P& port) noexcept {
   if constexpr (requires { port.watchdog(); }) return port.watchdog();
   else return 0;
 }
 
-/// The requirements of ForceSensor in a message: `static_assert(is_force_sensor<S, explain>())`.
+/// Requirements of ForceSensor in a message: `static_assert(is_force_sensor<S, explain>())`.
 template <class S, bool Explain = false>
 consteval bool is_force_sensor() {
   if constexpr (!detail::opens<S> || !detail::reads_forces<S>)
@@ -153,18 +149,15 @@ consteval bool is_force_sensor() {
   return Explain;
 }
 
-/// A force (and torque) sensor between last link and handle: `channel_count`, and open and read as of a
-/// BrakePort.
+/// A force (and torque) sensor between last link and handle: `channel_count`, open and read as BrakePort.
 template <class S>
 concept ForceSensor = is_force_sensor<S>();
 
-/// For a device without a force sensor.
+/// For devices without a force sensor.
 struct no_force_sensor {
-  static constexpr int channel_count = 0;  ///< None.
-  /// Nothing is missing.
-  std::string open() { return {}; }
-  /// Always good.
-  port_status read(port_sample<0>&) noexcept { return port_status::ok; }
+  static constexpr int channel_count = 0;                                 ///< None.
+  std::string open() { return {}; }                                       ///< Always succeeds.
+  port_status read(port_sample<0>&) noexcept { return port_status::ok; }  ///< Always ok.
 };
 
 }  // namespace passive_haptics

@@ -1,5 +1,4 @@
-/// @file
-/// What Linux can do for a loop that must not be late.
+/// Real-time settings of Linux.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -19,14 +18,13 @@
 
 namespace passive_haptics {
 
-/// What to request of the kernel; by default nothing.
+/// Requested settings; by default none.
 struct real_time_parameters {
   int priority = 0;          ///< SCHED_FIFO priority, 1 to 99; 0 for none.
-  bool lock_memory = false;  ///< mlockall, so that no page is ever fetched from a disk.
-  int cpu = -1;              ///< Processor to stay on, from 0; -1 for any.
-  double dma_latency = -1;   ///< Longest wake-up from an idle state, /dev/cpu_dma_latency [s]; < 0 for any.
+  bool lock_memory = false;  ///< mlockall, which avoids page faults.
+  int cpu = -1;              ///< Processor, from 0; -1 for any.
+  double dma_latency = -1;  ///< Maximum wake-up time from idle states, /dev/cpu_dma_latency [s]; < 0 for any.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = real_time_parameters;
     return member_table(
@@ -39,15 +37,14 @@ struct real_time_parameters {
   }
 };
 
-/// What became of a request.
+/// Result of a request.
 struct real_time_setting {
-  std::string what;     ///< For a person.
-  std::string refused;  ///< Why, and what would help; empty where it was granted.
+  std::string what;     ///< Description.
+  std::string refused;  ///< Reason and remedy; empty if granted.
 };
 
-/// Requests what the parameters say, when it is made: call it in the loop's thread, after forking, and before
-/// a threaded_port is opened, whose thread inherits it. A refusal is reported, never fatal. The latency
-/// request ends with it; the rest stays.
+/// Requests the settings on construction: create it in the loop's thread, after forking, and before a
+/// threaded_port is opened, which inherits them. Failures are reported. The latency request ends with it.
 class real_time {
  public:
   /// Throws std::invalid_argument with the text of validate(p).
@@ -64,8 +61,7 @@ class real_time {
     if (latency_file_ >= 0) close(latency_file_);
   }
 
-  /// All requests, in the order in which they were made.
-  const std::vector<real_time_setting>& settings() const { return settings_; }
+  const std::vector<real_time_setting>& settings() const { return settings_; }  ///< All requests in order.
 
  private:
   void note(std::string what, bool granted, const char* help) {
@@ -86,7 +82,7 @@ class real_time {
   }
 
   void ask_for_latency(double seconds) {
-    // What a program prints must not become a latency
+    // Standard numbers would receive the program's output
     latency_file_ = detail::above_standard_descriptors(open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC));
     const auto microseconds = static_cast<std::int32_t>(std::lround(1e6 * seconds));
     const bool granted =

@@ -1,5 +1,4 @@
-/// @file
-/// A port that no bad sample, command or device can hurt a hand through.
+/// A port that protects the hand from bad samples, commands and devices.
 #pragma once
 
 #include <passive_haptics/driver/checks/believed_samples.hpp>
@@ -17,27 +16,27 @@
 
 namespace passive_haptics {
 
-/// A port and a force sensor, watched: the last good samples in, currents that may flow out. To be called
-/// once a cycle, read(), then write(), with the time of the cycle [s] on the clock of the samples.
+/// A supervised port and force sensor: provides the last good samples and limits the currents. Call read(),
+/// then write(), once per cycle, with the time of the cycle [s] on the clock of the samples.
 ///
 ///   open -> ready -> activate -> active <-> degraded -> (fault) -> released -> rearm -> ready
 ///
-/// Hold-over: for `hold_over` seconds the last good sample is used instead of bad or older ones, then the
-/// brakes are released; also if a quarter of the samples were rejected (rejected_samples). They are released
-/// at once if the device is lost or restarted, an encoder froze, a counter may have wrapped unseen, a command
-/// is not valid, or no cycle came for `hold_over`. If it is unknown how far the encoders went, the program
-/// must start again, with homing. After open() nothing here allocates, throws, locks or reads a clock.
+/// Hold-over: bad or old samples are replaced by the last good one for `hold_over` seconds, then the brakes
+/// are released; also if a quarter of the samples were rejected (rejected_samples). They are released
+/// immediately if the device is lost or restarted, an encoder froze, a counter may have wrapped undetected, a
+/// command is not valid, or no cycle came for `hold_over`. If the encoder positions are lost, the program
+/// must restart with homing. After open() it neither allocates, throws, locks nor reads a clock.
 template <class Port, class Sensor = no_force_sensor>
 class safe_port {
  public:
   static_assert(is_port<Port, explain>() && is_force_sensor<Sensor, explain>());
-  static constexpr int encoder_count = Port::encoder_count;              ///< Encoders.
-  static constexpr int brake_count = Port::brake_count;                  ///< Brakes.
-  static constexpr int channel_count = Sensor::channel_count;            ///< Channels of the force sensor.
+  static constexpr int encoder_count = Port::encoder_count;              ///< Number of encoders.
+  static constexpr int brake_count = Port::brake_count;                  ///< Number of brakes.
+  static constexpr int channel_count = Sensor::channel_count;            ///< Number of force channels.
   using currents = brake_currents<brake_count>;                          ///< [A]
-  using parameters = safe_port_parameters<brake_count, channel_count>;   ///< What it allows.
+  using parameters = safe_port_parameters<brake_count, channel_count>;   ///< Parameters.
   using encoder_counts = typename encoder_check<encoder_count>::counts;  ///< [counts]
-  using force_reading = std::array<double, std::size_t(channel_count)>;  ///< As the sensor reports it.
+  using force_reading = std::array<double, std::size_t(channel_count)>;  ///< As reported by the sensor.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit safe_port(Port port, Sensor sensor = {}, const parameters& p = {})
@@ -56,7 +55,7 @@ class safe_port {
   safe_port& operator=(const safe_port&) = delete;
   ~safe_port() { port_.release(); }
 
-  /// Opens device and sensor, once; empty if both are there, else what is missing.
+  /// Opens device and sensor. Returns an error or an empty string.
   std::string open() {
     if (state_ != port_state::closed) return "open() was called before: the device is open";
     std::string error = port_.open();
@@ -70,7 +69,7 @@ class safe_port {
     return error;
   }
 
-  /// Takes this cycle's samples.
+  /// Reads and checks this cycle's samples.
   port_state read(double now) noexcept {
     if (state_ == port_state::closed) return state_;
     const double before = std::exchange(now_, now);
@@ -88,7 +87,7 @@ class safe_port {
     return state_;
   }
 
-  /// Gives the brakes their currents [A], or what the state allows of them; see applied().
+  /// Applies currents [A] as far as the state allows; see applied().
   port_state write(const currents& wanted) noexcept {
     if (state_ == port_state::closed) return state_;
     const auto invalid =
@@ -113,9 +112,8 @@ class safe_port {
     return state_;
   }
 
-  /// From ready to active; false, and nothing happens, unless ready, the samples are good and not
-  /// needs_homing(). If the parameters have no `period`, it is the median of the first 20 spacings of read():
-  /// if a counter can wrap unseen within it, the position is lost.
+  /// Ready to active; false unless ready, with good samples and not needs_homing(). If a counter can wrap
+  /// undetected within the period (given, or the median of 20 spacings of read()), the position is lost.
   bool activate() noexcept {
     if (state_ != port_state::ready || !is_fit()) return false;
     if (period_.value() >= encoders_.wrap_time()) fail({fault::counter_wrapped, fault_source::encoders});
@@ -123,8 +121,7 @@ class safe_port {
     return holds();
   }
 
-  /// Releases the brakes. What is released stays so, with the first reason. `begun`: the release of another
-  /// process (supervisor::began()), which goes on here.
+  /// Releases the brakes, for the first reason. `begun`: another process's release (supervisor::began()).
   void release(const fault_record& why = {fault::user},
                const std::optional<release_start<brake_count>>& begun = {}) noexcept {
     if (state_ == port_state::closed) return;
@@ -132,15 +129,14 @@ class safe_port {
     if (begun) release_.take_over(*begun);
   }
 
-  /// Releases the brakes, and gives 0 A at once, whatever the release policy.
+  /// Releases the brakes with 0 A immediately, for any release policy.
   void release_immediately(const fault_record& why = {fault::user}) noexcept {
     release(why);
     release_.begin({});
     give_none();
   }
 
-  /// From released to ready; false, and nothing happens, unless released, the last transfers are good and the
-  /// encoders have not lost their way (needs_homing()).
+  /// Released to ready; false unless released, with good last transfers and not needs_homing().
   bool rearm() noexcept {
     if (state_ != port_state::released || !is_fit()) return false;
     reason_ = {};
@@ -149,42 +145,38 @@ class safe_port {
     return true;
   }
 
-  /// The state.
-  port_state state() const noexcept { return state_; }
-  /// Why the brakes are released; none where they are not.
+  port_state state() const noexcept { return state_; }  ///< The state.
+  /// Reason for the release; none if not released.
   const fault_record& reason() const noexcept { return reason_; }
-  /// What is wrong with the last samples, or with the last write; none where they are good.
+  /// Fault of the last samples or write; none if they are good.
   const fault_record& pending_fault() const noexcept {
     const auto& samples = encoder_samples_.result().what != fault::none ? encoder_samples_ : force_samples_;
     return samples.result().what != fault::none ? samples.result() : writes_.result();
   }
-  /// Whether it is unknown how far the encoders went: then the program must start again.
+  /// True if the encoder positions are lost: the program must restart.
   bool needs_homing() const noexcept { return !homed_; }
-  /// Where the encoders are, past every wrap of their counters: the last good reading [counts].
+  /// Encoder positions beyond counter wraps, by the last good reading [counts].
   const encoder_counts& position() const noexcept { return encoders_.position(); }
-  /// When that was [s].
-  double position_time() const noexcept { return encoders_.time(); }
-  /// Whether the times of the encoders look like those of their arrival, which makes rates wrong.
+  double position_time() const noexcept { return encoders_.time(); }  ///< Time of that reading [s].
+  /// Check for times of arrival, which make rates wrong.
   const arrival_check& arrivals() const noexcept { return encoders_.arrivals(); }
-  /// The encoders' samples that arrived and that were rejected.
+  /// Counts of the encoders' samples.
   const rejected_samples& encoder_rejections() const noexcept { return encoder_samples_.rejections(); }
-  /// The force sensor's samples that arrived and that were rejected.
+  /// Counts of the force sensor's samples.
   const rejected_samples& force_rejections() const noexcept { return force_samples_.rejections(); }
-  /// The last good reading of the force sensor.
+  /// Last good reading of the force sensor.
   const force_reading& force() const noexcept { return forces_.reading(); }
-  /// What the device last took [A]; a release counts as 0 A unless it is lost or refuses what is written. If
-  /// the brakes are released and nothing was taken for hold_over seconds, NaN: what flows is unknown, and a
-  /// supervisor that gets NaN as its heartbeat acts (supervisor::beat()).
+  /// Currents that the device last accepted [A]; NaN (unknown) if the brakes are released and nothing was
+  /// accepted for hold_over seconds: then a supervisor acts (supervisor::beat()).
   currents applied() const noexcept {
     const bool known = state_ != port_state::released || now_ - writes_.last_good() <= hold_over_;
     return known ? applied_ : same_for_each<brake_count>(std::numeric_limits<double>::quiet_NaN());
   }
-  /// Whether the brakes have these currents, as far as the device reports: false while it is lost or refuses.
+  /// True if the device has these currents, as far as it reports: false while it is lost or rejects writes.
   bool applied_is_known() const noexcept { return !lost_ && writes_.result().what == fault::none; }
-  /// Whether the device is lost: nothing can be read or written any more, and no call tries to.
+  /// True if the device is lost; no further transfers are attempted.
   bool is_lost() const noexcept { return lost_; }
-  /// The port, for members that only the port has.
-  const Port& port() const noexcept { return port_; }
+  const Port& port() const noexcept { return port_; }  ///< The port.
 
  private:
   bool holds() const noexcept { return state_ == port_state::active || state_ == port_state::degraded; }
@@ -195,7 +187,7 @@ class safe_port {
   }
   bool flows() const noexcept { return applied_ != currents{}; }
 
-  // Nothing is to flow without being watched, also where the device refuses to end it
+  // Currents must not flow unsupervised, even if the device rejects their end
   void act_on(const transfer_watch& transfers) noexcept {
     const fault_record& found = transfers.result();
     const bool of_position = found.source == fault_source::encoders && invalidates_position(found.what);
@@ -203,10 +195,10 @@ class safe_port {
     if (releases_immediately(found) || (matters && transfers.fails())) fail(found);
   }
 
-  // since: when a cycle last came [s]
+  // since: time of the last cycle [s]
   void fail(const fault_record& why) noexcept { fail(why, now_); }
   void fail(const fault_record& why, double since) noexcept {
-    const bool begins = state_ != port_state::released;  // a fault that stays sends no release each cycle
+    const bool begins = state_ != port_state::released;  // a persistent fault sends only one release
     if (why.what == fault::device_lost && why.source != fault_source::force_sensor) lost_ = true;
     if (lost_ || (why.source != fault_source::force_sensor && invalidates_position(why.what))) homed_ = false;
     if (begins) {
@@ -240,7 +232,7 @@ class safe_port {
   release_profile<brake_count> release_;
 
   port_state state_ = port_state::closed;
-  bool lost_ = false;  // nothing can be read or written any more
+  bool lost_ = false;  // no further transfers
   bool homed_ = true;
   fault_record reason_;
   currents applied_{};

@@ -1,5 +1,4 @@
-/// @file
-/// What a safe_port allows, and how it can be.
+/// Parameters and states of a safe_port.
 #pragma once
 
 #include <passive_haptics/driver/checks/current_limiter.hpp>
@@ -9,19 +8,16 @@
 
 namespace passive_haptics {
 
-/// What a safe_port allows.
+/// Parameters of safe_port.
 template <int Brakes, int Channels>
 struct safe_port_parameters {
-  encoder_limits encoders = {};          ///< What the encoders can do.
-  sensor_limits<Channels> sensor = {};   ///< What the force sensor can report.
-  current_limits<Brakes> currents = {};  ///< What the brakes may get.
-  release_parameters at_release = {};    ///< What they get once they are released.
-  /// How long the last good sample stands in for bad ones, or for refused writes [s].
-  double hold_over = 0.020;
-  /// Period of the loop that calls read() [s], within which no counter may wrap unseen; 0: it is measured.
-  double period = 0;
+  encoder_limits encoders = {};          ///< Limits of the encoders.
+  sensor_limits<Channels> sensor = {};   ///< Limits of the force sensor.
+  current_limits<Brakes> currents = {};  ///< Limits of the currents.
+  release_parameters at_release = {};    ///< Release policy.
+  double hold_over = 0.020;              ///< Maximum time to bridge bad samples or rejected writes [s].
+  double period = 0;  ///< Period of read() [s], within which no counter may wrap undetected; 0: measured.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = safe_port_parameters;
     return member_table(member("encoders", &p::encoders), member("sensor", &p::sensor),
@@ -31,16 +27,16 @@ struct safe_port_parameters {
   }
 };
 
-/// How a safe_port is.
+/// States of a safe_port.
 enum class port_state {
   closed,    ///< Not open.
-  ready,     ///< Samples are read; the brakes get 0 A until activate().
-  active,    ///< The brakes get what is commanded, within their limits.
-  degraded,  ///< Active, but on the last good sample, or a coil is too warm for what is commanded.
-  released,  ///< A fault: the brakes get what the release policy says, by default 0 A, until rearm().
+  ready,     ///< Samples are read; 0 A until activate().
+  active,    ///< Commanded currents, within limits.
+  degraded,  ///< Active with the last good sample, or with a coil too warm for the command.
+  released,  ///< After a fault: currents of the release policy until rearm().
 };
 
-/// The state in words.
+/// Text of a state.
 constexpr std::string_view to_string(port_state s) {
   return detail::word_of(s, {"closed", "ready", "active", "degraded", "released", "unknown state"});
 }

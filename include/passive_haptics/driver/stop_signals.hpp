@@ -1,5 +1,4 @@
-/// @file
-/// Ctrl-C and its like, as a flag that a loop looks at.
+/// Ctrl-C and similar signals as flags for a loop.
 #pragma once
 
 #include <array>
@@ -13,8 +12,8 @@ inline std::atomic<bool> signal_to_rearm = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 }  // namespace detail
 
-/// The signals that a loop looks at. While it lives, SIGINT, SIGTERM and SIGHUP do not end the program but
-/// set a flag, and SIGUSR1 another. One at a time.
+/// Signals as flags: during its lifetime, SIGINT, SIGTERM and SIGHUP set a flag instead of ending the
+/// program, and SIGUSR1 sets another. Only one instance at a time.
 class stop_signals {
  public:
   stop_signals() {
@@ -36,10 +35,8 @@ class stop_signals {
 
   /// The last signal to stop; 0 if there was none.
   int stop() const noexcept { return detail::signal_to_stop; }
-  /// Whether SIGUSR1 came since the brakes were first seen released; to be called once a cycle, with whether
-  /// they are. A request that came before is dropped: whoever sent it had another release in mind, or none.
-  /// So is one that waited while the program was stopped, as the program learns of a release after it goes
-  /// on.
+  /// True if SIGUSR1 arrived since the brakes were first seen released. Call it once per cycle with their
+  /// state. Earlier requests are dropped, since they meant another release.
   bool rearm(bool released) noexcept {
     const bool came = detail::signal_to_rearm.exchange(false);
     const bool counts = came && released && were_released_;

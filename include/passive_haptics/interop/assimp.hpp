@@ -1,5 +1,4 @@
-/// @file
-/// Meshes from STL, OBJ, PLY and whatever else Assimp reads (https://assimp.org, Debian: libassimp-dev).
+/// Meshes from STL, OBJ, PLY and the formats of Assimp (https://assimp.org, Debian: libassimp-dev).
 #pragma once
 
 #include <passive_haptics/scene/files/obj.hpp>
@@ -21,7 +20,7 @@
 namespace passive_haptics {
 namespace detail {
 
-/// Adds all facets of one mesh, moved by a transform; empty, or what is wrong with it.
+/// Adds the facets of one transformed mesh. Returns an error text, empty if there is none.
 inline std::string add_part(const aiMesh& part, const aiMatrix4x4t<double>& placed, polygons& to) {
   const bool mirrored = placed.Determinant() < 0;
   const std::size_t first = to.vertices.size();
@@ -50,13 +49,12 @@ inline std::string add_part(const aiMesh& part, const aiMatrix4x4t<double>& plac
   return {};
 }
 
-/// Adds the meshes of a node and of those below it, moved by the nodes' transforms.
 inline std::string add_nodes(const aiScene& scene, polygons& to) {
   struct placed_node {
     const aiNode* node;
     aiMatrix4x4t<double> parent;
   };
-  std::vector<placed_node> open{{scene.mRootNode, {}}};  // no recursion: a file may be as deep as it is long
+  std::vector<placed_node> open{{scene.mRootNode, {}}};  // no recursion: files may be nested deeply
   while (!open.empty()) {
     const auto [node, parent] = open.back();
     open.pop_back();
@@ -73,10 +71,9 @@ inline std::string add_nodes(const aiScene& scene, polygons& to) {
   return {};
 }
 
-/// Formats that are read without Assimp, which must not know them by their content either.
+/// Formats read without Assimp; its own readers are removed, so that it does not detect them by content.
 inline constexpr const char* own_formats[] = {"stl", "obj", "ply"};
 
-/// What Assimp makes of a file.
 inline void read_by_assimp(const std::filesystem::path& path, polygons& to) {
   if (const std::string error = check_regular_file(path); !error.empty()) fail_mesh_file(path, error);
   Assimp::Importer importer;
@@ -84,7 +81,7 @@ inline void read_by_assimp(const std::filesystem::path& path, polygons& to) {
     Assimp::BaseImporter* const reader = importer.GetImporter(format);
     if (reader != nullptr && importer.UnregisterLoader(reader) == AI_SUCCESS) delete reader;
   }
-  // Validated before it is cut into triangles, which trusts all indices
+  // Validated before triangulation, which trusts all indices
   const aiScene* const scene =
       importer.ReadFile(path.string(), aiProcess_ValidateDataStructure | aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
@@ -94,13 +91,10 @@ inline void read_by_assimp(const std::filesystem::path& path, polygons& to) {
 
 }  // namespace detail
 
-/// The mesh of a file whose unit is `metres_per_unit` (1e-3: millimetres). Polygons are cut into triangles;
-/// parts are put where the file says. By the end of its name: `.stl`, `.obj` and `.ply` by read_stl, read_obj
-/// and read_ply; others by Assimp, which keeps coordinates in float, 24 bits, and may hang or leak where such
-/// a file is damaged.
-///
-/// Throws std::invalid_argument, its text names the file: no regular file, no mesh in it, a scale that is not
-/// positive, no triangles, coordinates that are not finite. For set-up, never for a control cycle.
+/// Reads a mesh file with the unit `metres_per_unit` (1e-3: millimetres). `.stl`, `.obj` and `.ply` are read
+/// by read_stl, read_obj and read_ply, other formats by Assimp, which stores coordinates in float and may
+/// hang or leak for damaged files. Throws std::invalid_argument with the name of the file: not a regular
+/// file, no mesh in it, a scale <= 0, no triangles, coordinates that are not finite. For set-up.
 inline mesh_file read_mesh_file(const std::filesystem::path& path, double metres_per_unit = 1) {
   std::string end = path.extension().string();
   for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -110,7 +104,7 @@ inline mesh_file read_mesh_file(const std::filesystem::path& path, double metres
   return detail::read_mesh_file(path, metres_per_unit, detail::read_by_assimp);
 }
 
-/// The mesh alone.
+/// Returns the mesh of read_mesh_file.
 inline mesh_parameters<3> read_mesh(const std::filesystem::path& path, double metres_per_unit = 1) {
   return read_mesh_file(path, metres_per_unit).mesh;
 }

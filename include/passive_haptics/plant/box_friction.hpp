@@ -1,5 +1,4 @@
-/// @file
-/// Coulomb friction of several brakes at once, with exact stick.
+/// Coulomb friction of coupled brakes with exact stick.
 #pragma once
 
 #include <passive_haptics/core/linear/cholesky.hpp>
@@ -16,13 +15,13 @@ namespace passive_haptics {
 template <class T, int Brakes>
 struct friction_impulses {
   vector<T, Brakes> impulse;                     ///< p [N m s], |p_i| <= limit_i.
-  std::array<bool, std::size_t(Brakes)> sticks;  ///< True where the brake ends the step at rest.
-  bool solved = true;                            ///< False if rounding kept the pivoting from ending.
+  std::array<bool, std::size_t(Brakes)> sticks;  ///< True for brakes that end the step at rest.
+  bool solved = true;                            ///< False if rounding prevented convergence.
 };
 
 namespace detail {
 
-// p, brought within the box |p_i| <= limit_i
+// Clamps p to |p_i| <= limit_i
 template <class T, int Brakes>
 vector<T, Brakes> within(const vector<T, Brakes>& p, const vector<T, Brakes>& limit) {
   vector<T, Brakes> q;
@@ -32,14 +31,13 @@ vector<T, Brakes> within(const vector<T, Brakes>& p, const vector<T, Brakes>& li
 
 }  // namespace detail
 
-/// Solves w = w0 + A p with |p_i| <= limit_i such that each brake either sticks (w_i = 0) or slips with the
+/// Solves w = w0 + A p with |p_i| <= limit_i, so that each brake either sticks (w_i = 0) or slips with the
 /// full impulse against its motion (p_i = -limit_i sgn(w_i)): a box-constrained linear complementarity
 /// problem.
 ///
 /// A = T M^-1 T^T (m x m) symmetric positive definite, w0 [rad/s] the rates without brakes, limit [N m s] >=
-/// 0. The solution exists and is unique. Least-index principal pivoting: exact and finite for any such A
-/// (Murty 1974; with bounds: Judice and Pires 1992). Cost: one Cholesky of m x m for each pivot, few in
-/// practice.
+/// 0. The solution exists and is unique. Least-index principal pivoting is exact and finite for any such A
+/// (Murty 1974; with bounds: Judice and Pires 1992). Cost: one m x m Cholesky per pivot, few in practice.
 template <class T, int Brakes>
 friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>& A,
                                                 const vector<T, Brakes>& w0, const vector<T, Brakes>& limit) {
@@ -52,7 +50,7 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
   vector<T, Brakes> p, w;
   const int max_pivots = 1 << (2 * Brakes + 2);
   for (int pivot = 0; pivot < max_pivots; ++pivot) {
-    // Members of the stick set solve w_i = 0; the others keep p_i at its bound.
+    // Sticking brakes solve w_i = 0; the others keep p_i at its bound.
     matrix<T, Brakes, Brakes> K = A;
     vector<T, Brakes> rhs = -w0;
     const auto sticks = [&](int i) { return nth(modes, i) == mode::stick && limit[i] > T(0); };
@@ -88,11 +86,9 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
   return {detail::within(p, limit), {}, false};
 }
 
-/// Box friction of redundant brakes, m > n, whose A is only positive semi-definite: w is unique, p is not.
-///
-/// Proximal point iteration, p <- the solution for A + eps I and w0 - eps p, each one regular: exact to
-/// rounding in two or three rounds (Rockafellar 1976; an LCP of a convex program, so finite). From p = 0 it
-/// ends near the least p.
+/// Box friction of redundant brakes, m > n, with A only positive semi-definite: w is unique, p is not.
+/// Proximal point iteration, p <- the solution for A + eps I and w0 - eps p: two or three rounds (Rockafellar
+/// 1976). From p = 0 it ends near the minimum-norm p.
 template <class T, int Brakes>
 friction_impulses<T, Brakes> solve_redundant_box_friction(const matrix<T, Brakes, Brakes>& A,
                                                           const vector<T, Brakes>& w0,

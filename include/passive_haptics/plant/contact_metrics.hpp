@@ -1,5 +1,4 @@
-/// @file
-/// How smoothly a wall was followed: one definition for all experiments.
+/// Metrics of wall following.
 #pragma once
 
 #include <algorithm>
@@ -8,15 +7,15 @@
 
 namespace passive_haptics {
 
-/// How a run along a wall ended.
+/// End of a run along a wall.
 enum class run_end {
-  time_over,  ///< Its longest time was over.
+  time_over,  ///< max_duration was over.
   arrived,    ///< The end of the path was reached.
-  too_deep,   ///< The handle was deeper than the run allows.
-  not_finite  ///< The depth was not a finite number.
+  too_deep,   ///< max_depth was exceeded.
+  not_finite  ///< The depth was not finite.
 };
 
-/// In words.
+/// Text of a run_end.
 constexpr std::string_view to_string(run_end e) {
   switch (e) {
     case run_end::time_over: return "time over";
@@ -27,60 +26,56 @@ constexpr std::string_view to_string(run_end e) {
   return "unknown run_end";
 }
 
-/// Figures of one run along a wall, counted from the first contact.
+/// Figures of one run along a wall, from the first contact.
 struct contact_metrics {
   int separations = 0;               ///< Contact followed by a depth under -10 um.
   int recontacts = 0;                ///< Separation followed by a depth over +10 um.
   double depth_mean = 0;             ///< Mean depth after the first 10 % of the path [m].
   double depth_std = 0;              ///< Standard deviation of the depth there [m].
-  double depth_range = 0;            ///< Largest less smallest depth there [m].
-  double depth_drift = 0;            ///< Last less first depth there [m]; < 0 moves out of the wall.
-  double max_depth = 0;              ///< Largest depth on the whole path [m].
-  double stick_share = 0;            ///< Share of time that the watched brake is slower than 1e-3 rad/s [1].
+  double depth_range = 0;            ///< Maximum minus minimum depth there [m].
+  double depth_drift = 0;            ///< Last minus first depth there [m]; < 0 moves out of the wall.
+  double max_depth = 0;              ///< Maximum depth on the whole path [m].
+  double stick_share = 0;            ///< Share of time with the watched brake below 1e-3 rad/s [1].
   double hand_force_std = 0;         ///< Standard deviation of the hand's force into the wall [N].
   double retarding_force = 0;        ///< Mean force of the brakes against the motion along the wall [N].
   double brake_energy = 0;           ///< Dissipated by the friction of all brakes [J].
-  double max_brake_power = 0;        ///< Largest that one brake gave to the device in a step [W]; 0 if none.
+  double max_brake_power = 0;        ///< Maximum power that one brake gave to the device in a step [W].
   double duration = 0;               ///< From the first contact to the end [s].
   bool arrived = false;              ///< The end of the path was reached.
-  bool touched = false;              ///< The wall was touched at all.
-  run_end end = run_end::time_over;  ///< How the run ended; follow_wall sets it.
+  bool touched = false;              ///< The wall was touched.
+  run_end end = run_end::time_over;  ///< Reason for the end; set by follow_wall.
 
-  static constexpr double floating_depth = -0.5e-3;  ///< A mean depth [m] under which the handle floats.
-  static constexpr double deep_depth = 10e-3;        ///< A depth [m] over which it is deep.
+  static constexpr double floating_depth = -0.5e-3;  ///< Mean depth below which the handle floats [m].
+  static constexpr double deep_depth = 10e-3;        ///< Maximum depth above which it is deep [m].
 
-  /// The handle left the wall at least once.
-  bool separates() const { return separations > 0; }
-  /// It hovers in front of the wall.
-  bool floats() const { return depth_mean < floating_depth; }
-  /// It never reached the wall.
-  bool never_touches() const { return !touched; }
-  /// It went far into the wall.
-  bool is_deep() const { return max_depth > deep_depth; }
+  bool separates() const { return separations > 0; }           ///< The handle left the wall.
+  bool floats() const { return depth_mean < floating_depth; }  ///< The handle hovers in front of the wall.
+  bool never_touches() const { return !touched; }              ///< The handle never reached the wall.
+  bool is_deep() const { return max_depth > deep_depth; }      ///< The handle went far into the wall.
 };
 
-/// Input of contact_meter, one a time step.
+/// Input of contact_meter, one per time step.
 struct contact_sample {
-  double progress = 0;         ///< Way made [m].
-  double depth = 0;            ///< Into the wall [m], < 0 outside.
-  double rate = 0;             ///< Of the watched brake's axis [rad/s or m/s].
-  double retarding_force = 0;  ///< Of the brakes, against the motion along the wall [N].
-  double brake_energy = 0;     ///< Dissipated by the brakes in this time step [J].
-  double brake_power = 0;      ///< Largest of the brakes' powers t_i w_i [W].
-  double hand_force = 0;       ///< Of the hand on the handle, into the wall [N].
+  double progress = 0;         ///< Distance along the path [m].
+  double depth = 0;            ///< [m], < 0 outside the wall.
+  double rate = 0;             ///< Rate of the watched brake [rad/s or m/s].
+  double retarding_force = 0;  ///< Brake force against the motion along the wall [N].
+  double brake_energy = 0;     ///< Dissipated in this time step [J].
+  double brake_power = 0;      ///< Maximum of the brakes' powers t_i w_i [W].
+  double hand_force = 0;       ///< Hand force into the wall [N].
 };
 
-/// Collects contact_metrics sample by sample at equal time steps; no allocation.
+/// Collects contact_metrics at equal time steps, without allocation.
 class contact_meter {
  public:
-  static constexpr double hysteresis = 10e-6;    ///< Of the depth [m]: less is no separation.
-  static constexpr double settling_share = 0.1;  ///< Of the path, left out of the depth's statistics.
-  static constexpr double stick_rate = 1e-3;     ///< Slower counts as stuck [rad/s].
+  static constexpr double hysteresis = 10e-6;    ///< Minimum depth change of a separation [m].
+  static constexpr double settling_share = 0.1;  ///< Share of the path left out of the depth statistics.
+  static constexpr double stick_rate = 1e-3;     ///< Rate below which a brake counts as stuck [rad/s].
 
-  /// For a path that ends where progress reaches path_end [m], sampled every dt [s].
+  /// path_end: progress at the end of the path [m]; dt: time step [s].
   contact_meter(double path_end, double dt) : path_end_(path_end), dt_(dt) {}
 
-  /// One sample.
+  /// Adds a sample.
   void add(const contact_sample& now) {
     const double progress = now.progress, depth = now.depth;
     if (progress >= path_end_) result_.arrived = true;
@@ -105,7 +100,7 @@ class contact_meter {
     if (progress >= settled_at_) settled_depth_.add(depth);
   }
 
-  /// The figures so far.
+  /// Figures so far.
   contact_metrics result() const {
     contact_metrics r = result_;
     if (hand_force_.count > 0) {
@@ -124,7 +119,7 @@ class contact_meter {
   }
 
  private:
-  // Mean and sum of squared deviations are stable, after Welford
+  // Mean and squared deviations after Welford, which is numerically stable
   struct statistics {
     double count = 0, mean = 0, squares = 0, minimum = 0, maximum = 0, first = 0, last = 0;
 

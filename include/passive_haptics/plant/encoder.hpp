@@ -1,5 +1,4 @@
-/// @file
-/// Encoders: positions in whole counts, rates by differences.
+/// Encoders: quantised positions and differenced rates.
 #pragma once
 
 #include <passive_haptics/brake/models/encoder_axes.hpp>
@@ -10,14 +9,12 @@
 
 namespace passive_haptics {
 
-/// Encoders of all axes of a device.
+/// Parameters of the encoders of a device.
 struct encoder_parameters {
-  /// One count, on the encoder's axis [rad, or m of a slide]; 8192 a turn. 0 is an ideal encoder, whose
-  /// position and rate are exact and unfiltered.
+  /// One count [rad or m]; 0 is an ideal encoder with exact, unfiltered position and rate.
   double resolution = 2 * std::numbers::pi / 8192;
-  double rate_corner = 50;  ///< First-order low-pass of the differenced rates [Hz]; 0 for none.
+  double rate_corner = 50;  ///< Low-pass corner of the differenced rates [Hz]; 0 for none.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = encoder_parameters;
     return member_table(member("resolution", &p::resolution, "rad or m", range::not_negative),
@@ -25,14 +22,12 @@ struct encoder_parameters {
   }
 };
 
-/// Encoders on N axes, read once a period: position = resolution floor(true position / resolution), so it is
-/// late by up to one count; rate = difference of two positions / period, low-passed. The first reading starts
-/// at the true rate.
+/// Encoders on N axes, read once per period: position = resolution floor(true position / resolution), rate =
+/// low-passed difference of two positions / period. The first reading starts at the true rate.
 template <class T, int N>
 class encoder {
  public:
-  /// Read every period [s]. Throws std::invalid_argument with the text of validate(p) or if the period is not
-  /// > 0.
+  /// Sets the period [s]. Throws std::invalid_argument for invalid parameters or period.
   encoder(const encoder_parameters& p, double period)
       : resolution_(static_cast<T>(require_valid(p).resolution)),
         period_(static_cast<T>(period)),
@@ -40,7 +35,7 @@ class encoder {
     require_no_error(check_value("period", period, "s", range::positive));
   }
 
-  /// One reading of axes at `position` [rad or m] that move with `rate` [rad/s or m/s].
+  /// Reads axes at `position` [rad or m] with `rate` [rad/s or m/s].
   void read(const vector<T, N>& position, const vector<T, N>& rate) {
     if (!(resolution_ > T(0))) {
       position_ = position;
@@ -56,10 +51,8 @@ class encoder {
     first_ = false;
   }
 
-  /// Position as read [rad or m].
-  const vector<T, N>& position() const { return position_; }
-  /// Rate as estimated [rad/s or m/s].
-  const vector<T, N>& rate() const { return rate_; }
+  const vector<T, N>& position() const { return position_; }  ///< Measured position [rad or m].
+  const vector<T, N>& rate() const { return rate_; }          ///< Estimated rate [rad/s or m/s].
 
  private:
   T resolution_, period_, share_;
@@ -67,29 +60,26 @@ class encoder {
   vector<T, N> count_ = vector<T, N>::Zero(), position_ = vector<T, N>::Zero(), rate_ = vector<T, N>::Zero();
 };
 
-/// Encoders on the encoder_axes of mechanism M and the joint positions and rates that a controller gets from
-/// them.
+/// Encoders on the encoder_axes of mechanism M, converted to joint positions and rates.
 template <class M>
 class joint_encoders {
  public:
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
-  /// Read every period [s]. Throws std::invalid_argument as encoder.
+  /// Sets the period [s]. Throws std::invalid_argument as encoder.
   joint_encoders(const M& mechanism, const encoder_parameters& p, double period)
       : axes_(mechanism), encoder_(p, period), exact_(!(p.resolution > 0)) {}
 
-  /// One reading of joints at q [rad or m] that move with qd [rad/s or m/s].
+  /// Reads joints at q [rad or m] with rates qd [rad/s or m/s].
   void read(const joint_vector<M>& q, const joint_vector<M>& qd) {
     encoder_.read(axes_.from_joints(q), axes_.from_joints(qd));
-    // There and back through the transmission would round
+    // Avoids rounding by the transmission and its inverse
     q_ = exact_ ? q : axes_.to_joints(encoder_.position());
     qd_ = exact_ ? qd : axes_.to_joints(encoder_.rate());
   }
 
-  /// Joint positions as read [rad or m].
-  const joint_vector<M>& q() const { return q_; }
-  /// Joint rates as estimated [rad/s or m/s].
-  const joint_vector<M>& qd() const { return qd_; }
+  const joint_vector<M>& q() const { return q_; }    ///< Measured joint positions [rad or m].
+  const joint_vector<M>& qd() const { return qd_; }  ///< Estimated joint rates [rad/s or m/s].
 
  private:
   encoder_axes<M> axes_;

@@ -1,44 +1,33 @@
-/// @file
-/// Where the energy of a simulated device came from and where it went.
+/// Energy balance of a simulated device.
 #pragma once
 
 namespace passive_haptics {
 
-/// Energies of a simulated device since its motion was last set [J]. Sums in double, whatever the device's
-/// scalar.
+/// Energies of a simulated device since its motion was last set [J]. All works use the mid-point rate, so the
+/// imbalance of a step from qd to qd' is
 ///
-/// A step with impulses P changes the rates from qd to qd', and P . (qd + qd')/2 is the change of kinetic
-/// energy exactly while the mass matrix stays. So all works are taken at the mid-point rate, and what does
-/// not balance is
+///     qd' . (M(q') - M(q)) qd' / 2  -  dt (c - g) . (qd + qd')/2,
 ///
-///     qd' . (M(q') - M(q)) qd' / 2  -  dt (c - g) . (qd + qd')/2      in a step,
-///
-/// whose parts cancel to O(dt^2 |qd| P') with P' the power of all forces, Coriolis forces included. Over a
-/// run
+/// and over a run
 ///
 ///     |imbalance| <= k dt sum |qd| (|work| + dt |qd| kinetic),
 ///
-/// with k of order 1 per radian (the mass matrix of a linkage changes by its own size in a radian); tests
-/// hold k = 1 for tendon_two_link, five_bar, delta and a serial chain. It is O(dt): halving dt halves it. It
-/// is rounding where M is constant.
+/// with k of order 1 per radian; rounding for a constant M.
 struct energy_balance {
-  double start = 0;    ///< Kinetic energy of device and hand when its motion was set.
-  double hand = 0;     ///< Work of the hand's muscles, in.
-  double gravity = 0;  ///< Work of gravity, in.
-  /// Dissipated by what was commanded of the brakes, or stored by their compliance.
-  double brakes = 0;
+  double start = 0;              ///< Kinetic energy of device and hand at the start.
+  double hand = 0;               ///< Work of the hand's muscles on the device.
+  double gravity = 0;            ///< Work of gravity on the device.
+  double brakes = 0;             ///< Dissipated by commanded torques, or stored by the brakes' compliance.
   double residual_friction = 0;  ///< Dissipated by the brakes' residual friction.
   double drag = 0;               ///< Dissipated by the brakes' residual drag.
-  double kinetic = 0;            ///< Kinetic energy of device and hand now.
-  /// Largest power that one brake's friction gave to the device in one step [W], t_i w_i with the rates at
-  /// the end of the step; 0 if none ever gave any. Friction is implicit, so it is 0 to rounding: at most
-  /// rounding_tolerance(m) torque_i (|w_i| + A |torque| dt), see solve_box_friction. A brake with compliance
-  /// gives back what its spring took.
+  double kinetic = 0;            ///< Current kinetic energy of device and hand.
+  /// Maximum power that the friction of one brake gave to the device in one step [W]; 0 if none did. Friction
+  /// is implicit, so it is rounding, except energy stored in a compliance.
   double max_brake_power = 0;
 
-  /// Dissipated by the brakes, all but their residual drag.
+  /// Dissipated by the brakes, without residual drag.
   double friction() const { return brakes + residual_friction; }
-  /// Energy that nothing accounts for; see above how small it is.
+  /// Energy that is not accounted for; its bound is above.
   double imbalance() const { return kinetic - start - hand - gravity + brakes + residual_friction + drag; }
 };
 

@@ -1,5 +1,4 @@
-/// @file
-/// A simple hand that moves along a wall and presses on it.
+/// A model of a hand that moves along a wall and presses on it.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -11,7 +10,7 @@
 
 namespace passive_haptics {
 
-/// Fastest time constant [s] of a mass [kg] on a spring [N/m] and a damper [N s/m], each alone.
+/// Minimum time constant [s] of a mass [kg] with a spring [N/m] or a damper [N s/m].
 template <class T>
 T min_time_constant(T mass, T stiffness, T damping) {
   constexpr T none = std::numeric_limits<T>::infinity();
@@ -19,8 +18,8 @@ T min_time_constant(T mass, T stiffness, T damping) {
                   stiffness > T(0) ? std::sqrt(mass / stiffness) : none);
 }
 
-/// Error if a simulation's time step [s] is longer than the fastest time constant [s] of hand and device:
-/// from about twice of it on the motion becomes unstable. Else empty.
+/// Error text if the time step of a simulation [s] exceeds the minimum time constant of hand and device [s];
+/// empty otherwise. The motion becomes unstable from about twice that constant.
 inline error_message check_time_step(double time_step, double fastest) {
   if (!(time_step > fastest)) return {};
   return detail::error_text("fastest time constant of hand and device [s]", fastest,
@@ -28,20 +27,19 @@ inline error_message check_time_step(double time_step, double fastest) {
                                 "; shorten the step, or give a softer hand or more mass");
 }
 
-/// Impedance of the hand along the wall and into it. The paper prints neither; with these the hand
-/// force stays below the paper's 2 N (Fig. 8) in the wall's normal direction.
+/// Impedance of the hand along the wall and into it. The paper does not print these values; with them the
+/// normal hand force stays below the paper's 2 N (Fig. 8).
 template <class T>
 struct following_hand_parameters {
   T speed = T(0.05);          ///< Intended speed along the wall [m/s].
-  T stiffness = T(200);       ///< Towards the intended place along the wall [N/m].
-  T damping = T(20);          ///< Towards the intended speed along the wall [N s/m].
+  T stiffness = T(200);       ///< Along the wall [N/m].
+  T damping = T(20);          ///< Along the wall [N s/m].
   T push = T(2);              ///< Force into the wall at target_depth [N].
-  T normal_stiffness = T(0);  ///< By which the push falls with the depth [N/m]; 0 for a constant push.
-  T target_depth = T(0);      ///< Where the hand pushes with `push`, > 0 inside the wall [m].
+  T normal_stiffness = T(0);  ///< Decrease of the push with depth [N/m]; 0 for a constant push.
+  T target_depth = T(0);      ///< Depth at which the hand pushes with `push` [m].
   T normal_damping = T(20);   ///< Normal to the wall [N s/m].
-  T mass = T(0.5);            ///< What moves with the handle [kg].
+  T mass = T(0.5);            ///< Mass that moves with the handle [kg].
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = following_hand_parameters;
     return member_table(member("speed", &p::speed, "m/s", range::finite),
@@ -55,25 +53,24 @@ struct following_hand_parameters {
   }
 };
 
-/// A hand that intends to move along `direction` at constant speed while it presses on the wall:
+/// A hand that moves along `direction` at constant speed while it presses on the wall:
 ///
 ///     F = (K (s0 + speed t - s) / max(0.3, u . t) + B (speed - v . t)) t
 ///         - (push + Kn (target_depth - depth) + Bn (v . n)) n
 ///
-/// with n out of the wall, t the direction u projected on the wall, s = u . x the way made. Kn = 0 is a push
-/// of the same size at any depth; with Kn > 0 the hand is an impedance: what the device gives it in depth, it
-/// takes back in force. In space it holds the handle sideways, too, along b = n x t:
-/// - (K b . (x - x0) + B b . v) b.
+/// with the outward normal n, the direction u, its projection t on the wall and the progress s = u . x. Kn =
+/// 0 is a constant push; with Kn > 0 the push decreases with the depth. A spatial hand also holds the handle
+/// along b = n x t: - (K b . (x - x0) + B b . v) b.
 template <class T, int D>
 class following_hand {
  public:
-  /// Starts at x0 [m] at time 0. direction: any length > 0. Throws std::invalid_argument with the text of
-  /// validate(p).
+  /// Starts at x0 [m] at time 0. Throws std::invalid_argument with the text of validate(p).
   following_hand(const vector<T, D>& direction, const vector<T, D>& x0,
                  const following_hand_parameters<T>& p = {})
       : p_(require_valid(p)), direction_(direction.normalized()), x0_(x0), start_(direction_.dot(x0)) {}
 
-  /// Muscle force [N] at time [s], handle at x [m] with velocity v [m/s], depth [m] in a wall with normal n.
+  /// Muscle force [N] at time [s] for handle position [m], velocity [m/s] and depth [m] in a wall of normal
+  /// n.
   vector<T, D> force(T time, const vector<T, D>& x, const vector<T, D>& v, const vector<T, D>& n,
                      T depth) const {
     const vector<T, D> t = tangent(n);
@@ -89,26 +86,24 @@ class following_hand {
     return F;
   }
 
-  /// Unit direction along a wall with normal n; the intended direction itself where that is normal to the
-  /// wall.
+  /// Unit direction along a wall with normal n; `direction` itself if it is normal to the wall.
   vector<T, D> tangent(const vector<T, D>& n) const {
     const vector<T, D> t = direction_ - n * n.dot(direction_);
     const T length = t.norm();
     return length > rounding_tolerance<T>(D) ? vector<T, D>(t / length) : direction_;
   }
 
-  /// Way made along the intended direction at x [m].
+  /// Distance along `direction` at x [m].
   T progress(const vector<T, D>& x) const { return direction_.dot(x); }
-  /// Fastest time constant [s] of a mass [kg] that it moves.
+  /// Minimum time constant [s] for a mass [kg].
   T min_time_constant(T mass) const {
     return passive_haptics::min_time_constant(mass, std::max(p_.stiffness / min_cosine, p_.normal_stiffness),
                                               std::max(p_.damping, p_.normal_damping));
   }
-  /// The parameters as given.
-  const following_hand_parameters<T>& parameters() const { return p_; }
+  const following_hand_parameters<T>& parameters() const { return p_; }  ///< The parameters.
 
  private:
-  static constexpr T min_cosine = T(0.3);  // of the wall's slant that its pull along the wall makes up for
+  static constexpr T min_cosine = T(0.3);  // limits the compensation of the wall's slant
   following_hand_parameters<T> p_;
   vector<T, D> direction_, x0_;
   T start_;

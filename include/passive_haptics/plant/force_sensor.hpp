@@ -1,5 +1,4 @@
-/// @file
-/// A force sensor at the handle: a low-pass, a scale and noise.
+/// A force sensor at the handle with low-pass, scale and noise.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -11,14 +10,13 @@
 
 namespace passive_haptics {
 
-/// Bandwidth, scale and noise of a force sensor.
+/// Parameters of force_sensor.
 struct force_sensor_parameters {
   double corner = 200;     ///< First-order low-pass [Hz]; 0 for none.
-  double noise = 0;        ///< Standard deviation of each component of each reading [N].
-  std::uint64_t seed = 1;  ///< Of the noise; the same seed gives the same noise on every platform.
-  double scale = 1;        ///< Reading for each newton [1]; 1 is a sensor calibrated without error.
+  double noise = 0;        ///< Standard deviation of each component [N].
+  std::uint64_t seed = 1;  ///< Seed of the noise, reproducible on every platform.
+  double scale = 1;        ///< Reading per newton [1]; 1 without calibration error.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = force_sensor_parameters;
     return member_table(member("corner", &p::corner, "Hz", range::not_negative),
@@ -27,8 +25,8 @@ struct force_sensor_parameters {
   }
 };
 
-/// Force sensor with D components. The low-pass follows the force in time; scale and white noise join each
-/// reading behind it, so two readings share none. Starts at no force.
+/// Force sensor with D components. The low-pass follows the force; scale and white noise are added to each
+/// reading independently. Starts at zero force.
 template <class T, int D>
 class force_sensor {
  public:
@@ -39,10 +37,10 @@ class force_sensor {
         noise_(p.noise),
         bits_(p.seed) {}
 
-  /// dt [s] pass under this force [N].
+  /// Advances by dt [s] under this force [N].
   void advance(T dt, const vector<T, D>& force) { low_pass_.advance(dt, force); }
 
-  /// One reading [N], with noise of its own.
+  /// One reading [N] with new noise.
   vector<T, D> read() {
     vector<T, D> reading = scale_ * low_pass_.output();
     if (!(noise_ > 0)) return reading;
@@ -50,7 +48,7 @@ class force_sensor {
     return reading;
   }
 
-  /// Behind the low-pass, without scale and noise [N].
+  /// Force after the low-pass, without scale and noise [N].
   const vector<T, D>& filtered() const { return low_pass_.output(); }
 
  private:

@@ -1,5 +1,4 @@
-/// @file
-/// Random devices, hands and planes: what a law meets that nobody tuned it for.
+/// Random devices, hands and planes, to test laws outside the values they were tuned for.
 #pragma once
 
 #include <passive_haptics/plant/brakes/coulomb_brake.hpp>
@@ -15,32 +14,31 @@
 
 namespace passive_haptics {
 
-/// What devices may differ in from the nominal one. Ratios and what spans more than a decade are drawn evenly
-/// in their logarithm.
+/// Ranges of random devices. Ratios and ranges of more than a decade are drawn uniformly in their logarithm.
 struct device_ranges {
-  /// From low to high.
+  /// A closed interval.
   struct interval {
-    double low;   ///< Least.
-    double high;  ///< Most.
+    double low;   ///< Minimum.
+    double high;  ///< Maximum.
   };
-  interval gain{0.7, 1.3};                    ///< Of each brake [1].
-  interval residual_torque{0, 0.050};         ///< Of each brake [N m].
-  interval rise_time_constant{0.002, 0.040};  ///< Of all brakes [s].
-  interval fall_ratio{0.25, 4};         ///< Of all brakes [1]; the fall is kept within the range of the rise.
-  interval torque_limit{0.3, 2};        ///< Of all brakes [N m].
-  interval inertia{0.3, 3};             ///< Of links and rotors, for each kg of the nominal device [1].
-  interval sensor_scale{0.6, 1.5};      ///< Of the force sensor [1].
-  interval encoder_counts{1000, 8192};  ///< A turn.
-  interval hand_speed{0.02, 0.4};       ///< Along the wall, but the whole way not within 0.25 s [m/s].
-  interval push{0.5, 6};                ///< Into the wall at its surface [N].
-  interval target_depth{0.005, 0.030};  ///< Of every second hand, which is an impedance [m].
-  interval normal_damping{12, 30};      ///< Of those hands [N s/m]; of the others 20.
-  interval hand_mass{0.1, 1.5};         ///< [kg]
-  interval wall_stiffness{200, 1e7};    ///< [N/m]
-  interval gap{0.002, 0.006};           ///< Off the wall at the start [m].
-  interval approach{0.05, 0.12};        ///< Speed into the wall there [m/s].
-  double sensor_noise = 0.02;           ///< Standard deviation [N].
-  double environment_rates[3] = {1000, 200, 20};  ///< One of them [Hz].
+  interval gain{0.7, 1.3};                    ///< Per brake [1].
+  interval residual_torque{0, 0.050};         ///< Per brake [N m].
+  interval rise_time_constant{0.002, 0.040};  ///< All brakes [s].
+  interval fall_ratio{0.25, 4};         ///< All brakes [1]; the fall is limited to the range of the rise.
+  interval torque_limit{0.3, 2};        ///< All brakes [N m].
+  interval inertia{0.3, 3};             ///< Of links and rotors, relative to the nominal device [1].
+  interval sensor_scale{0.6, 1.5};      ///< Force sensor [1].
+  interval encoder_counts{1000, 8192};  ///< Per turn.
+  interval hand_speed{0.02, 0.4};  ///< Along the wall [m/s], limited so that the path takes at least 0.25 s.
+  interval push{0.5, 6};           ///< Into the wall at its surface [N].
+  interval target_depth{0.005, 0.030};            ///< For every second hand, an impedance [m].
+  interval normal_damping{12, 30};                ///< For those hands [N s/m]; 20 for the others.
+  interval hand_mass{0.1, 1.5};                   ///< [kg]
+  interval wall_stiffness{200, 1e7};              ///< [N/m]
+  interval gap{0.002, 0.006};                     ///< Distance from the wall at the start [m].
+  interval approach{0.05, 0.12};                  ///< Speed into the wall at the start [m/s].
+  double sensor_noise = 0.02;                     ///< Standard deviation [N].
+  double environment_rates[3] = {1000, 200, 20};  ///< Candidates [Hz].
 };
 
 /// A device, a hand and a plane to follow.
@@ -48,22 +46,19 @@ template <class M>
 struct random_device {
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
-  double inertia;                          ///< Of links and rotors, for each kg of the nominal device.
-  brake_models_of<M> brakes;               ///< What they really are;
-  brakes_of<M> known_brakes;               ///< and what their data sheet says: limit and rise.
-  random_plane<M> plane;                   ///< Where it starts and goes.
-  following_hand_parameters<scalar> hand;  ///< The hand.
+  double inertia;                          ///< Of links and rotors, relative to the nominal device.
+  brake_models_of<M> brakes;               ///< Actual brakes.
+  brakes_of<M> known_brakes;               ///< Brakes as in a data sheet: limit and rise.
+  random_plane<M> plane;                   ///< Start and path.
+  following_hand_parameters<scalar> hand;  ///< Hand.
   wall_following_parameters run;           ///< Sensors, length and time of the path.
   double environment_rate;                 ///< [Hz]
   double wall_stiffness;                   ///< [N/m]
 };
 
-/// Device number k of this seed, equal on every platform.
-///
-/// Not drawn: along the whole way the condition of J is at most 8 (workspace::max_condition) and the elbow
-/// stays on one side. At its start some brake pulls within 80 degrees of the normal
-/// (workspace::min_cosine). All brakes of a device have one lag and one limit. A run ends where the hand is
-/// 50 mm deep.
+/// Returns device number k of this seed, equal on every platform. Along the path the condition of J is at
+/// most workspace::max_condition and the elbow stays on one side. At the start some brake pulls within 80
+/// degrees of the normal. All brakes of a device have one lag and one limit. A run ends at a depth of 50 mm.
 template <class M>
 random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::uint64_t seed, std::uint64_t k,
                              const device_ranges& r = {}) {
@@ -77,7 +72,7 @@ random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::u
 
   random_device<M> d{};
   d.inertia = ratio(r.inertia);
-  // A torque on a turning brake, or a force on a sliding one
+  // Torque of a rotating brake, or force of a sliding one
   const T per_torque = T(1) / static_cast<T>(where.brake_radius);
   const double rise = ratio(r.rise_time_constant);
   const double fall =
@@ -91,13 +86,13 @@ random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::u
     brake.fall_ratio = static_cast<T>(fall / rise);
     brake.gain = static_cast<T>(even(r.gain));
     brake.residual.strength = per_torque * static_cast<T>(even(r.residual_torque));
-    brake.torque_limit *= brake.gain;  // a gain scales what a brake makes of its full current, too
+    brake.torque_limit *= brake.gain;  // the gain also scales the torque at full current
   }
 
   const double push = even(r.push);
   const bool impedance = uniform_number(bits) < 0.5;
   const double depth = even(r.target_depth), damping = even(r.normal_damping);
-  constexpr double min_time = 0.25;  // along the way [s], so that a hand in a hurry can land at all
+  constexpr double min_time = 0.25;  // along the path [s], so that a fast hand can land at all
   d.hand.speed = static_cast<T>(std::min(ratio(r.hand_speed), where.path_length / min_time));
   d.hand.mass = static_cast<T>(ratio(r.hand_mass));
   d.hand.push = static_cast<T>(impedance ? 0 : push);

@@ -1,5 +1,4 @@
-/// @file
-/// A random plane in a device's workspace, with a way along it.
+/// A random plane in a device's workspace, with a path along it.
 #pragma once
 
 #include <passive_haptics/brake/force_generators.hpp>
@@ -15,30 +14,30 @@
 
 namespace passive_haptics {
 
-/// Where a device can be used.
+/// Usable workspace of a device.
 template <class M>
 struct workspace {
-  joint_vector<M> lower;     ///< Least joint positions of a start [rad or m],
-  joint_vector<M> upper;     ///< and greatest.
-  double path_length;        ///< Of a way along a plane [m].
-  double brake_radius = 1;   ///< Of sliding brakes: their force at this radius is the torque [m]; else 1.
-  double max_condition = 8;  ///< |J| |J^-1| (Frobenius) on all of a way [1]; d at an isotropic pose.
-  double min_cosine = 0.17;  ///< Of a reference force against the normal, at the start [1].
+  joint_vector<M> lower;     ///< Minimum start positions [rad or m].
+  joint_vector<M> upper;     ///< Maximum start positions [rad or m].
+  double path_length;        ///< Length of a path along a plane [m].
+  double brake_radius = 1;   ///< Force of sliding brakes at this radius is torque [m]; else 1.
+  double max_condition = 8;  ///< Maximum |J| |J^-1| (Frobenius) along a path [1]; d at an isotropic pose.
+  double min_cosine = 0.17;  ///< Minimum cosine between a reference force and the normal at the start [1].
 };
 
-/// A plane and a way along it.
+/// A plane and a path along it.
 template <class M>
 struct random_plane {
-  task_vector<M> surface;    ///< A point of it [m], under the start.
-  task_vector<M> normal;     ///< Out of the wall, unit.
-  task_vector<M> direction;  ///< Along it, unit.
-  task_vector<M> start;      ///< Of the handle [m], in front of it.
-  joint_vector<M> q;         ///< There [rad or m],
-  joint_vector<M> qd;        ///< and their rates: along the plane and towards it.
+  task_vector<M> surface;    ///< Point of the plane [m], under the start.
+  task_vector<M> normal;     ///< Outward unit normal.
+  task_vector<M> direction;  ///< Unit direction of the path.
+  task_vector<M> start;      ///< Start of the handle [m], in front of the plane.
+  joint_vector<M> q;         ///< Joint positions at the start [rad or m].
+  joint_vector<M> qd;        ///< Joint rates at the start, along and towards the plane.
 };
 
-/// Moves joint positions q [rad or m] to where the handle is at x [m], by Newton's method to 1e-9 m; false
-/// out of reach or near a singular pose, as `where` says.
+/// Moves joint positions q [rad or m] until the handle is at x [m], by Newton's method to 1e-9 m. Returns
+/// false if x is out of reach or the condition exceeds where.max_condition.
 template <class M>
 bool reach(const M& mechanism, const workspace<M>& where, const task_vector<M>& x, joint_vector<M>& q) {
   using square = matrix<typename M::scalar, M::dof, M::dof>;
@@ -52,8 +51,7 @@ bool reach(const M& mechanism, const workspace<M>& where, const task_vector<M>& 
   return false;
 }
 
-/// The largest cosine between the normal and the force of one brake, where the handle moves with velocity v
-/// along the plane; < 0 where nothing is displayable.
+/// Maximum cosine between the normal and one brake's force for a handle velocity v; < 0 if none displays.
 template <class M>
 double max_cosine(const M& mechanism, const joint_vector<M>& q, const task_vector<M>& v,
                   const task_vector<M>& normal) {
@@ -67,8 +65,8 @@ double max_cosine(const M& mechanism, const joint_vector<M>& q, const task_vecto
   return best;
 }
 
-/// Draws start poses, directions and normals until the way can be gone and something is displayable where it
-/// begins. speed along the plane, approach towards it [m/s], gap in front of it [m]. Mechanisms with as many
+/// Draws start poses, directions and normals until the path is feasible and a force can be displayed at its
+/// start. speed: along the plane, approach: towards it [m/s], gap: in front of it [m]. Requires as many
 /// joints as task dimensions.
 template <class M>
 random_plane<M> draw_plane(const M& mechanism, const workspace<M>& where, double speed, double gap,

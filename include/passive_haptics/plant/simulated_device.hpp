@@ -1,5 +1,4 @@
-/// @file
-/// A device without hardware: a mechanism with inertia, real brakes and a hand's mass on its handle.
+/// A simulated device: a mechanism with inertia, brakes, and a hand's mass on its handle.
 #pragma once
 
 #include <passive_haptics/brake/force_generators.hpp>
@@ -21,14 +20,11 @@ namespace passive_haptics {
 
 struct detail::simulated_device_header {};
 
-/// Simulated device: M qdd + c = J^T Fh + T^T t, where the brakes are Coulomb friction with exact stick and
-/// viscous drag, both as the Model of each brake says. A compliance of the Model is a spring in series with
-/// the friction (presliding_brake). Any m, n, d of a Mechanism.
-///
-/// Semi-implicit Euler on impulses, first order in dt: what the models resist with at the old rates, then the
-/// new rates (friction and drag implicit), then positions with the new rates. The hand's mass moves with the
-/// handle; the hand's force drives both, a sensor between them feels what reaches the device. energy()
-/// returns where the energy went. Cost of a step: M, J, Jd qd, c twice, a Cholesky of n x n, a few of m x m.
+/// Simulated device M qdd + c = J^T Fh + T^T t. The brakes are Coulomb friction with exact stick and viscous
+/// drag, by the Model of each brake; its compliance is a spring in series with the friction. Semi-implicit
+/// Euler on impulses, first order in dt: the resistances at the old rates, then the new rates (friction and
+/// drag implicit), then positions. The hand's mass moves with the handle; a sensor between them measures the
+/// force that reaches the device.
 template <class M, class Model>
   requires(detail::has_simulated_device<M>())
 class simulated_device {
@@ -40,14 +36,13 @@ class simulated_device {
  public:
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
-  /// At rest at q, with brakes that are what their controller believes (ideal_brakes). hand_mass [kg] moves
-  /// with the handle. Throws std::invalid_argument with the text of validate(brakes), or if the mass is
-  /// negative or not finite.
+  /// At rest at q, with ideal_brakes; hand_mass [kg] moves with the handle. Throws std::invalid_argument with
+  /// the text of validate(brakes), or if the mass is negative or not finite.
   simulated_device(M mechanism, const brakes_of<M>& brakes, scalar hand_mass, const joint_vector<M>& q)
     requires std::same_as<Model, coulomb_brake<scalar>>
       : simulated_device(std::move(mechanism), ideal_brakes(require_valid(brakes)), hand_mass, q) {}
 
-  /// A device with real brakes, about which a controller may be wrong.
+  /// A device with brakes that may differ from the controller's parameters.
   template <std::same_as<brake_models_of<M, Model>> RealBrakes>  // a template, so that {} means brakes_of<M>
   simulated_device(M mechanism, const RealBrakes& brakes, scalar hand_mass, const joint_vector<M>& q)
       : mechanism_(std::move(mechanism)), brakes_(brakes), hand_mass_(hand_mass) {
@@ -56,7 +51,7 @@ class simulated_device {
     set_motion(q, joint_vector<M>::Zero());
   }
 
-  /// Sets the motion, for example at the start of an experiment, and begins the energy balance anew.
+  /// Sets the motion, for example at the start of an experiment, and restarts the energy balance.
   void set_motion(const joint_vector<M>& q, const joint_vector<M>& qd) {
     q_ = q;
     qd_ = qd;
@@ -66,10 +61,9 @@ class simulated_device {
     energy_.start = energy_.kinetic = kinetic_energy();
   }
 
-  /// One time step dt [s] under commanded capacities [N m] and the force [N] that the hand's muscles exert.
-  /// As of a BrakeModel, no time passes where dt is not a finite number > 0. A dt over twice the fastest time
-  /// constant of the hand (min_time_constant of min_mass and the hand's spring and damper) makes the
-  /// motion grow until it is NaN. The lag and drag of brakes are stable at any dt.
+  /// Advances by dt [s] under commanded capacities [N m] and the muscle force of the hand [N]; not if dt is
+  /// not a finite number > 0. Diverges to NaN if dt exceeds about twice the minimum time constant of the
+  /// hand.
   void advance(scalar dt, const brake_vector<M>& capacity, const task_vector<M>& muscle_force) {
     if (valid_time_step(dt) == scalar(0)) return;
     const matrix<scalar, M::dof, M::brake_count> Tt =
@@ -79,7 +73,7 @@ class simulated_device {
     const task_vector<M> F = muscle_force - hand_mass_ * mechanism_.bias_acceleration(q_, qd_);
     const joint_vector<M> drive = transposed_times(J_, F) - mechanism_.bias_torque(q_, qd_);
 
-    // (M + dt T^T B T) qd' = M qd + dt (J^T F - c) + T^T p, with B the drag and p the impulses of friction
+    // (M + dt T^T B T) qd' = M qd + dt (J^T F - c) + T^T p, with the drag B and the friction impulses p
     const transmission_matrix<M> drag = scaled_rows(dt * (now.commanded_drag + now.residual_drag), T);
     const cholesky<scalar, M::dof> inverse_mass(mass_ + Tt * drag);
     const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(mass_ * qd_ + dt * drive));
@@ -100,43 +94,37 @@ class simulated_device {
     energy_.kinetic = kinetic_energy();
   }
 
-  /// Joint positions [rad or m].
-  const joint_vector<M>& q() const { return q_; }
-  /// Joint rates [rad/s or m/s].
-  const joint_vector<M>& qd() const { return qd_; }
-  /// Handle [m].
-  const task_vector<M>& position() const { return x_; }
-  /// Velocity of the handle [m/s].
-  task_vector<M> velocity() const { return J_ * qd_; }
+  const joint_vector<M>& q() const { return q_; }        ///< Joint positions [rad or m].
+  const joint_vector<M>& qd() const { return qd_; }      ///< Joint rates [rad/s or m/s].
+  const task_vector<M>& position() const { return x_; }  ///< Position of the handle [m].
+  task_vector<M> velocity() const { return J_ * qd_; }   ///< Velocity of the handle [m/s].
   /// Rates of the brakes' axes [rad/s or m/s].
   brake_vector<M> rates() const { return passive_haptics::brake_rates(mechanism_, q_, qd_); }
-  /// Force of the hand on the handle in the last step [N]: muscle force less what moved the hand's own mass.
+  /// Force of the hand on the handle in the last step [N]: muscle force minus inertia of the hand.
   const task_vector<M>& sensed_force() const { return sensed_force_; }
   /// Mean torque of the brakes in the last step [N m]: friction, commanded and residual, and commanded drag.
   const brake_vector<M>& brake_torque() const { return brake_torque_; }
-  /// t_i w_i of it with the rates at the end of the last step [W]: <= 0 to rounding, but for what a
-  /// compliance gives back.
+  /// t_i w_i at the end of the last step [W]: <= 0 to rounding, except energy returned by a compliance.
   const brake_vector<M>& brake_power() const { return brake_power_; }
-  /// What the brakes could hold at rest now by command [N m], without residual friction.
+  /// Commanded holding torque of the brakes [N m], without residual friction.
   const brake_vector<M>& brake_strength() const { return strength_; }
-  /// Lower bound of the mass that a force at the handle moves, device and hand [kg], here and now:
-  /// 1 / |J M^-1 J^T|. The mass in the lightest direction is at most sqrt(d) times larger.
+  /// Lower bound of the mass of device and hand at the handle in this pose [kg]: 1 / |J M^-1 J^T|. The mass
+  /// in the lightest direction is at most sqrt(d) times larger.
   scalar min_mass() const {
     const cholesky<scalar, M::dof> inverse_mass(mass_);
     return scalar(1) / (J_ * inverse_mass.solve(transposed(J_))).norm();
   }
-  /// Where the energy came from and went since the last set_motion, or the start.
+  /// Energy balance since the start or the last set_motion.
   const energy_balance& energy() const { return energy_; }
-  /// The mechanism.
-  const M& mechanism() const { return mechanism_; }
+  const M& mechanism() const { return mechanism_; }  ///< The mechanism.
 
-  /// The force at the handle that does to it what brake_torque() does [N], here and now: J^-T T^T t, and for
-  /// n > d by the dynamically consistent inverse. Not finite where J has not full row rank.
+  /// Force at the handle equivalent to brake_torque() in this pose [N]: J^-T T^T t, for n > d by the
+  /// dynamically consistent inverse. Not finite if J does not have full row rank.
   task_vector<M> brake_force() const {
     if constexpr (M::dof == M::task_dimension) {
       return passive_haptics::force_generators(mechanism_, q_) * brake_torque_;
     } else {
-      // The hand's mass changes nothing, so it may stay in M
+      // The hand's mass does not matter, so it may stay in M
       const dynamically_consistent_inverse<scalar, M::dof, M::task_dimension> inverse(J_, mass_);
       return inverse.forces(
           joint_vector<M>(passive_haptics::transposed_transmission(mechanism_, q_) * brake_torque_));
@@ -148,14 +136,14 @@ class simulated_device {
   using task_matrix = jacobian_matrix<M>;
   using brake_matrix = matrix<scalar, M::brake_count, M::brake_count>;
 
-  // Of the brakes, beside strength_.
+  // In addition to strength_.
   struct resistances {
     brake_vector<M> commanded_drag, residual_strength, residual_drag, compliance;
   };
 
   static double as_double(scalar x) { return static_cast<double>(x); }
 
-  // Brings the brakes dt forward; rates are those before.
+  // Advances the brakes by dt; rates are the old ones.
   resistances resist(scalar dt, const brake_vector<M>& capacity, const brake_vector<M>& rates) {
     resistances all;
     for (int i = 0; i < M::brake_count; ++i) {
@@ -171,11 +159,11 @@ class simulated_device {
     return all;
   }
 
-  // Impulses of friction, with w0 the rates of the brakes' axes without it and A the rates for each N m s.
+  // Friction impulses; w0: rates of the brakes' axes without friction, A: change of rates per N m s.
   brake_vector<M> friction_impulses(scalar dt, const resistances& now, brake_matrix A,
                                     brake_vector<M> w0) const {
-    // A shaft of compliance c does not slip if w = -c (p / dt - t) / dt, with t the friction before: the
-    // condition of stick with A + c / dt^2 for A and w0 - c t / dt for w0
+    // A shaft of compliance c does not slip if w = -c (p / dt - t) / dt, with t the previous friction: the
+    // condition of stick with A + c / dt^2 and w0 - c t / dt
     const brake_vector<M> give = now.compliance / (dt * dt);
     for (int i = 0; i < M::brake_count; ++i) A(i, i) += give[i];
     w0 -= dt * entrywise_product(give, friction_);
@@ -185,15 +173,13 @@ class simulated_device {
     else return solve_box_friction<scalar, M::brake_count>(A, w0, limit).impulse;
   }
 
-  // Works of a step, at the mid-point rates: see energy_balance.
   void count_work(scalar dt, const task_vector<M>& muscle_force, const joint_vector<M>& middle) {
     const joint_vector<M> gravity = mechanism_.bias_torque(q_, joint_vector<M>::Zero());
     energy_.hand += as_double(dt * muscle_force.dot(J_ * middle));
     energy_.gravity -= as_double(dt * gravity.dot(middle));
   }
 
-  // Losses of a step by friction of impulses p and by drag at the new rates. What the command causes of the
-  // friction is its share of the limit.
+  // Losses by friction impulses p and by drag at the new rates; commanded friction by its share of the limit.
   void count_losses(scalar dt, const resistances& now, const brake_vector<M>& p, const brake_vector<M>& rates,
                     const brake_vector<M>& middle) {
     for (int i = 0; i < M::brake_count; ++i) {

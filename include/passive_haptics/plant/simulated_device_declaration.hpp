@@ -1,5 +1,4 @@
-/// @file
-/// Forward declaration of simulated_device, so that an error can name the header that is missing.
+/// Forward declaration of simulated_device, so that an error can name the missing header.
 #pragma once
 
 namespace passive_haptics {

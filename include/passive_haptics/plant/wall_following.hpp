@@ -1,6 +1,4 @@
-/// @file
-/// The wall-following experiment (section 5): a hand moves a simulated device along a wall under a
-/// controller.
+/// The wall-following experiment of section 5.
 #pragma once
 
 #include <passive_haptics/control/device_state.hpp>
@@ -18,25 +16,23 @@
 
 namespace passive_haptics {
 
-/// Timing and sensing of a wall-following experiment.
+/// Parameters of follow_wall.
 struct wall_following_parameters {
-  double time_step = 1e-4;  ///< Of the simulation [s].
-  /// Of brakes and sensors [s]; section 5.1: 1 kHz. Rounded to whole time steps.
+  double time_step = 1e-4;  ///< Step of the simulation [s].
+  /// Period of control and sensors [s], rounded to whole time steps; section 5.1: 1 kHz.
   double control_period = 1e-3;
   double sensor_corner = 200;    ///< Low-pass of the force sensor [Hz]; 0 for none.
-  double sensor_scale = 1;       ///< Reading of the force sensor for each newton [1].
-  double sensor_noise = 0;       ///< Standard deviation of each component of each reading [N].
-  std::uint64_t noise_seed = 1;  ///< Of that noise.
-  /// One count of the encoders on the brakes' axes [rad, or m of a slide]: 8192 a turn; 0 for ideal encoders.
-  /// See joint_encoders.
+  double sensor_scale = 1;       ///< Reading of the force sensor per newton [1].
+  double sensor_noise = 0;       ///< Standard deviation of each component [N].
+  std::uint64_t noise_seed = 1;  ///< Seed of that noise.
+  /// One count on the encoder_axes [rad or m]; 0 for ideal encoders.
   double encoder_resolution = encoder_parameters().resolution;
   double rate_corner = 50;  ///< Low-pass of the differenced rates [Hz]; 0 for none.
-  double path_end = 0.17;   ///< Stops where the handle's progress reaches this [m].
-  double max_duration = 8;  ///< Stops after this time in any case [s],
-  double max_depth = 1;     ///< or where the handle is deeper than this [m].
-  int watched_brake = 1;    ///< Whose sticking is counted, from 0.
+  double path_end = 0.17;   ///< Progress at which the run ends [m].
+  double max_duration = 8;  ///< Time at which the run ends [s].
+  double max_depth = 1;     ///< Depth beyond which the run ends [m].
+  int watched_brake = 1;    ///< Brake for stick_share, from 0.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = wall_following_parameters;
     return member_table(member("time_step", &p::time_step, "s", range::positive),
@@ -52,52 +48,49 @@ struct wall_following_parameters {
                         member("max_depth", &p::max_depth, "m", range::positive),
                         member("watched_brake", &p::watched_brake));
   }
-  /// A cycle is one time step or more.
+  /// Requires control_period >= time_step.
   std::string rules() const {
     if (control_period >= time_step) return {};
     return "control_period [s] is shorter than time_step, expected a multiple of it";
   }
 };
 
-/// One time step of the experiment, for plots. Decision is what the controller returns.
+/// One time step of the experiment, for plots. Decision is the result type of the controller.
 template <class M, class Decision = step_result<M>>
 struct wall_following_sample {
   double time;                   ///< [s]
-  double depth;                  ///< Into the wall [m], < 0 outside.
-  task_vector<M> position;       ///< Of the handle [m].
-  task_vector<M> velocity;       ///< Of the handle [m/s].
-  brake_vector<M> rates;         ///< Of the brakes' axes [rad/s or m/s].
-  brake_vector<M> brake_torque;  ///< Of the brakes [N m], without residual drag.
-  brake_vector<M> brake_power;   ///< Of it, t_i w_i [W].
-  task_vector<M> hand_force;     ///< Behind the sensor's low-pass, without its noise [N].
-  task_vector<M> brake_force;    ///< Of the brakes at the handle [N].
-  const Decision* control;       ///< The latest control cycle.
+  double depth;                  ///< [m], < 0 outside the wall.
+  task_vector<M> position;       ///< Handle [m].
+  task_vector<M> velocity;       ///< Handle [m/s].
+  brake_vector<M> rates;         ///< Brakes' axes [rad/s or m/s].
+  brake_vector<M> brake_torque;  ///< [N m], without residual drag.
+  brake_vector<M> brake_power;   ///< t_i w_i [W].
+  task_vector<M> hand_force;     ///< After the sensor's low-pass, without noise [N].
+  task_vector<M> brake_force;    ///< Brake force at the handle [N].
+  const Decision* control;       ///< Result of the latest control cycle.
 };
 
 namespace detail {
 
-// What is kept of a controller's decision: step_result<M> of all that is one.
+// The stored part of a controller's result: step_result<M> for derived types.
 template <class M, class Control,
           class Answer = std::remove_cvref_t<std::invoke_result_t<Control&, const device_state<M>&>>>
 using decision_of = std::conditional_t<std::is_base_of_v<step_result<M>, Answer>, step_result<M>, Answer>;
 
-// Looks at nothing.
 struct no_observer {
   void operator()(const auto&) const {}
 };
 
 }  // namespace detail
 
-/// Runs the experiment: the hand moves the device beside `shape` (the wall whose depth is measured) until the
-/// end of the path, for at most `max_duration`, while the depth is finite and at most `max_depth`. So each
-/// run ends, and contact_metrics::end says how.
+/// Runs the experiment: the hand moves the device along `shape` until the end of the path, max_duration,
+/// max_depth or a depth that is not finite. contact_metrics::end is the reason.
 ///
-/// control(device_state<M>) is called once a control period with what encoders and force sensor read, the
-/// first time at once, and returns a step_result<M>, or any default-constructible value with a
-/// brake_vector<M> `capacity`. Time begins at 0: call reset() of a controller that has run before.
-/// observe(wall_following_sample) is called once a time step. Depth and figures are the true ones, not those
-/// read. Throws std::invalid_argument with the text of validate(parameters) or check_time_step, or if there
-/// is no watched_brake.
+/// control(device_state<M>) is called once per control period with the values of encoders and force sensor,
+/// first at time 0: reset() a used controller. It returns a value with a brake_vector<M> `capacity`, such as
+/// step_result<M>. observe(wall_following_sample) is called once per time step. Depth and figures use the
+/// true motion. Throws std::invalid_argument with the text of validate(parameters) or check_time_step, or if
+/// there is no watched_brake.
 template <class M, class Model, class Shape, class Control, class Observer = detail::no_observer>
 contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,

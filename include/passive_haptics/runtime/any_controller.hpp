@@ -1,5 +1,4 @@
-/// @file
-/// A controller whose mechanism, scene and law are known at run time only.
+/// Controllers with a mechanism, scene and law chosen at run time.
 #pragma once
 
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
@@ -19,38 +18,38 @@
 
 namespace passive_haptics::runtime {
 
-/// One control cycle after the other, of any device.
+/// Control cycles of any device.
 class any_controller {
  public:
   virtual ~any_controller() = default;
-  /// Of the device.
+  /// Sizes of the device.
   virtual device_sizes sizes() const noexcept = 0;
   /// True if the law needs a force sensor.
   virtual bool needs_hand_force() const noexcept = 0;
-  /// One cycle; neither throws nor allocates. Numbers that are not as many as sizes() says, or no hand force
-  /// where the law needs one: status::state_not_finite, all brakes released.
+  /// One cycle; neither throws nor allocates. Wrong counts of numbers, or a missing hand force that the law
+  /// needs, give status::state_not_finite with all brakes released.
   virtual cycle_record operator()(const state_view& state) noexcept = 0;
-  /// Forgets the motion so far, and the scene the handle.
+  /// Forgets the motion so far, and the scene's state of the handle.
   virtual void reset() = 0;
-  /// Other brakes from the next cycle on, as many as sizes() says; see controller::set_brakes.
+  /// Sets the brakes from the next cycle on, as many as in sizes(); see controller::set_brakes.
   virtual void set_brakes(const brake_numbers& brakes) = 0;
-  /// A copy with memories of its own.
+  /// A copy with its own memories.
   virtual std::unique_ptr<any_controller> copy() const = 0;
 };
 
-/// A scene in the plane or in space, perhaps with effects.
+/// A planar or spatial scene, optionally with effects.
 using scene_variant = std::variant<std::monostate, any_scene<2>, any_scene<3>, any_scene_with_effects<2>,
                                    any_scene_with_effects<3>>;
 
-/// Parts of a controller, except its mechanism and the type of its law.
+/// Parts of a controller other than its mechanism and law type.
 struct controller_parts {
   brake_numbers brakes;               ///< As many as the mechanism has.
-  scene_variant scene;                ///< Of its dimension.
-  any_parameters law;                 ///< The law's.
-  step_options<double> options = {};  ///< As of any controller.
+  scene_variant scene;                ///< Scene of its dimension.
+  any_parameters law;                 ///< Parameters of the law.
+  step_options<double> options = {};  ///< Options of a cycle.
 };
 
-/// The struct with the table of law L: the law itself, its member, or none.
+/// The parameter struct of law L: the law itself, its member, or none.
 template <class L>
 auto table_of_law() {
   if constexpr (Parameters<L>) return L();
@@ -63,7 +62,7 @@ auto table_of_law() {
 template <class L>
 using law_parameters = decltype(table_of_law<L>());
 
-/// The law of these parameters.
+/// The law with these parameters.
 template <class L>
 L made_law(const law_parameters<L>& p) {
   if constexpr (Parameters<L>) return p;
@@ -76,12 +75,11 @@ L made_law(const law_parameters<L>& p) {
   }
 }
 
-/// The scene of a controller under law L: all contacts, or the strongest for a law that takes one.
+/// The scene of a controller under law L: all contacts, or the strongest one for laws with one contact.
 template <class L, int D>
 using scene_for = std::conditional_t<saturates_before_scaling<L>, strongest_contact_of<D>, any_scene<D>>;
 
-/// The brakes of a controller: with bounds, unless M has self-motion. There the cycles of all would take a
-/// sixth (three joints) to a quarter (seven) longer.
+/// The brakes of a controller; without bounds if M has self-motion, for which cycles would be slower.
 template <class M>
 using controller_brakes = std::conditional_t<Settles<M>, brakes_of<M>, switchable_brakes<M>>;
 
@@ -90,18 +88,18 @@ template <class L>
 inline constexpr bool displays_effects =
     ScalingLaw<L> && nulls_normal_force<L> && !saturates_before_scaling<L>;
 
-/// True if controllers of M under law L take effects: those of a law that displays them, with n = m = d.
+/// True if controllers of M under law L accept effects: displays_effects<L> and n = m = d.
 template <class M, class L>
 inline constexpr bool takes_effects =
     displays_effects<L> && M::dof == M::task_dimension && M::brake_count == M::task_dimension;
 
-/// Controller of M under law L, compiled once for each kind of mechanism.
+/// Controller of M under law L, compiled once per kind of mechanism.
 template <class M, class L, class S = scene_for<L, M::task_dimension>>
 class controller_of final : public any_controller {
   static constexpr int n = M::dof, d = M::task_dimension, m = M::brake_count;
 
  public:
-  /// Throws std::invalid_argument where a controller does, or if brakes have bounds and M has self-motion.
+  /// Throws std::invalid_argument as controller, or if brakes have bounds and M has self-motion.
   controller_of(const M& mechanism, S scene, const controller_parts& parts)
       : control_(mechanism, brakes_from(parts.brakes), std::move(scene),
                  made_law<L>(parts.law.as<law_parameters<L>>()), parts.options) {}
@@ -140,8 +138,8 @@ class controller_of final : public any_controller {
   controller<M, S, L, controller_brakes<M>> control_;
 };
 
-/// The controller of a mechanism under law L. Throws std::invalid_argument where controller_of does, if the
-/// scene is of another dimension, or if it has effects and takes_effects<M, L> is false.
+/// Makes the controller of a mechanism under law L. Throws std::invalid_argument as controller_of, for a
+/// scene of another dimension, or for effects if takes_effects<M, L> is false.
 template <class L, class M>
 std::unique_ptr<any_controller> make_controller(const M& mechanism, const controller_parts& parts) {
   constexpr int d = M::task_dimension;

@@ -1,6 +1,4 @@
-/// @file
-/// Functions of a device before it is built (design/, force/) and the wall-following experiment, for
-/// mechanisms that are known at run time only.
+/// Design functions (design/, force/) and the wall-following experiment for mechanisms chosen at run time.
 #pragma once
 
 #include <passive_haptics/brake/reference_forces.hpp>
@@ -27,22 +25,22 @@
 
 namespace passive_haptics::runtime {
 
-/// A place on a path along a wall, path_point of any device.
+/// path_point of any device.
 struct path_place {
   std::span<const double> q;          ///< n [rad or m]
-  std::span<const double> direction;  ///< d, of the motion, of any length.
-  std::span<const double> normal;     ///< d, out of the wall.
+  std::span<const double> direction;  ///< d, direction of motion, any length.
+  std::span<const double> normal;     ///< d, outward normal of the wall.
 };
 
-/// Brakes with motors, hybrid_brakes of any device.
+/// hybrid_brakes of any device.
 struct design_brakes {
   brake_numbers brakes;             ///< Limits may be infinite.
   std::vector<double> motor_limit;  ///< m [N m]
 };
 
-/// displayable_force of any device, by the same names.
+/// displayable_force of any device, with equal names.
 struct displayable_record {
-  status outcome = status::ok;                  ///< ok, or why nothing is known.
+  status outcome = status::ok;                  ///< ok, or an error.
   display_class display = display_class::none;  ///< As there.
   double angle = 0;                             ///< [rad]
   double max_force = 0;                         ///< [N]
@@ -50,13 +48,13 @@ struct displayable_record {
   joint_numbers signs;                          ///< m
 };
 
-/// The forces that unit torques of the brakes make, reference_force_set of any device.
+/// reference_force_set of any device: forces of unit brake torques.
 struct reference_force_record {
-  status outcome = status::ok;    ///< ok, or why there are none.
+  status outcome = status::ok;    ///< ok, or an error.
   std::array<double, 3 * 3> G{};  ///< d x m [N per N m], column by column.
 };
 
-/// A time step of the wall-following experiment, wall_following_sample of any device.
+/// wall_following_sample of any device.
 struct following_record {
   double time = 0;                        ///< [s]
   double depth = 0;                       ///< [m]
@@ -70,14 +68,13 @@ struct following_record {
   const cycle_record* control = nullptr;  ///< The latest control cycle.
 };
 
-/// A following_hand of any dimension.
+/// following_hand of any dimension.
 struct hand_description {
-  std::vector<double> direction;                 ///< d, of any length > 0.
+  std::vector<double> direction;                 ///< d, any length > 0.
   std::vector<double> start;                     ///< d [m]
-  following_hand_parameters<double> parameters;  ///< The impedance.
+  following_hand_parameters<double> parameters;  ///< Impedance.
 
-  /// The hand of D dimensions. Throws std::invalid_argument where its constructor does, or if vectors have
-  /// other sizes.
+  /// The hand of D dimensions. Throws std::invalid_argument for wrong sizes or parameters.
   template <int D>
   following_hand<double, D> hand() const {
     require_count("components of the direction", std::ssize(direction), D);
@@ -86,39 +83,37 @@ struct hand_description {
   }
 };
 
-/// A shape of the plane or of space.
+/// A planar or spatial shape.
 using shape_variant = std::variant<any_shape<2>, any_shape<3>>;
 
-/// Functions of a device. All throw std::invalid_argument if vectors have other sizes than the device, and
-/// where the functions of the same names do.
+/// Design functions of a device. All throw std::invalid_argument for wrong sizes or as the original
+/// functions.
 class any_design {
  public:
   virtual ~any_design() = default;
-  /// True if reference_forces() and nearest_force() have a meaning: as many brakes and joints as task
-  /// dimensions.
+  /// True if reference_forces() and nearest_force() are defined: n = m = d.
   virtual bool has_reference_forces() const = 0;
-  /// Signs of the brakes; an empty hand force [N] is zero.
+  /// Signs of the brakes; an empty hand force [N] counts as zero.
   virtual joint_numbers brake_signs(std::span<const double> q, std::span<const double> qd,
                                     std::span<const double> hand_force,
                                     const brake_numbers& brakes) const = 0;
   /// See passive_haptics::reference_forces().
   virtual reference_force_record reference_forces(std::span<const double> q) const = 0;
-  /// The force [N] of brakes of these signs that is nearest to the desired one.
+  /// Nearest force to the desired one for brakes with these signs [N].
   virtual task_numbers nearest_force(std::span<const double> q, std::span<const double> signs,
                                      std::span<const double> desired) const = 0;
   /// See passive_haptics::displayable(); `direction` is the velocity.
   virtual displayable_record displayable(const path_place& at, const brake_numbers& brakes) const = 0;
-  /// See passive_haptics::sink_slope(), against a push [N].
+  /// See passive_haptics::sink_slope(); push in N.
   virtual sink_slope_result<double> sink_slope(const path_place& at, const design_brakes& brakes,
                                                double push) const = 0;
-  /// See passive_haptics::sink_depth(): places at the middles of equal parts of the path.
+  /// See passive_haptics::sink_depth(), for points at the middles of equal parts of the path.
   virtual double sink_depth(const std::vector<path_place>& path, const design_brakes& brakes,
                             double push) const = 0;
   /// See design_figures_at().
   virtual design_figures<double> figures(const path_place& at, const design_brakes& brakes,
                                          double push) const = 0;
-  /// See passive_haptics::follow_wall(). The plant is one of make_plant() for this mechanism; `control`
-  /// decides, `observe` sees each time step and may throw.
+  /// See passive_haptics::follow_wall(). The plant must be of make_plant(); `observe` may throw.
   virtual contact_metrics follow_wall(any_plant& plant,
                                       const std::function<cycle_record(const state_view&)>& control,
                                       const shape_variant& shape, const hand_description& hand,
@@ -126,14 +121,14 @@ class any_design {
                                       const std::function<void(const following_record&)>& observe) const = 0;
 };
 
-/// Compiled once for each kind of mechanism.
+/// Compiled once per kind of mechanism.
 template <class M>
 class design_of final : public any_design {
   static constexpr int n = M::dof, d = M::task_dimension, m = M::brake_count;
   static constexpr bool has_references = n == d && m == n;
 
  public:
-  /// Of this mechanism.
+  /// Holds this mechanism.
   explicit design_of(M mechanism) : model_(std::move(mechanism)) {}
 
   bool has_reference_forces() const override { return has_references; }
@@ -220,7 +215,6 @@ class design_of final : public any_design {
   }
 
  private:
-  // What follow_wall keeps of a cycle.
   struct decision {
     brake_vector<M> capacity = brake_vector<M>::Zero();
     cycle_record record;
@@ -254,10 +248,10 @@ class design_of final : public any_design {
   M model_;
 };
 
-/// The designs that a program has compiled, by kinds of mechanisms. Filled before threads start.
+/// The compiled design functions, by kind of mechanism. Fill it before threads start.
 class design_list {
  public:
-  /// Compiles the functions for all mechanisms of the kind of M.
+  /// Compiles the functions for all mechanisms of M's kind.
   template <DifferentiableMechanism M>
   void compile_for() {
     using H = held_mechanism<M>;
@@ -265,7 +259,7 @@ class design_list {
       return std::make_unique<design_of<H>>(*static_cast<const H*>(of));
     };
   }
-  /// The functions of a mechanism; nullptr where its kind is not compiled.
+  /// The functions of a mechanism; nullptr if its kind is not compiled.
   std::unique_ptr<any_design> make(const any_mechanism& mechanism) const {
     const auto [type, of] = mechanism.held();
     const auto found = makers_.find(type);

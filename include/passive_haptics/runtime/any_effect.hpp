@@ -1,5 +1,4 @@
-/// @file
-/// Effects that are known at run time only, and a scene with them.
+/// Effects chosen at run time, and scenes with them.
 #pragma once
 
 #include <passive_haptics/control/pipelines/with_effects.hpp>
@@ -12,19 +11,19 @@
 
 namespace passive_haptics::runtime {
 
-/// Holds an Effect, a WallEffect or a JointEffect of a device with D = n = d. Copies share it.
+/// Holds an Effect, a WallEffect or a JointEffect of a device with D = n = d. Shared by its copies.
 template <int D>
 class any_effect {
  public:
   using numbers = vector<double, D>;                        ///< [m], [rad], [N], [N m] and their rates.
-  using walls_type = typename any_scene<D>::contacts_type;  ///< What is touched.
+  using walls_type = typename any_scene<D>::contacts_type;  ///< Touched walls.
 
   /// Holds this effect.
   template <class E>
     requires(!std::same_as<E, any_effect>)
   explicit any_effect(E effect) : held_(std::make_shared<model<E>>(std::move(effect))) {}
 
-  /// True for an effect on the joints: then force() is zero, else torque() is.
+  /// True for an effect on joints; force() is then zero, else torque() is.
   bool is_on_joints() const { return held_->is_on_joints(); }
   /// Force on the handle [N] at x [m] with velocity v [m/s], hand force [N] and touched walls.
   numbers force(const numbers& x, const numbers& v, const numbers& hand_force,
@@ -66,15 +65,13 @@ class any_effect {
   std::shared_ptr<const any_model> held_;
 };
 
-/// A scene with effects beside its walls, for a device with D = n = d. Its result is that of the scene, so
-/// that less is compiled.
+/// A scene with walls and effects for a device with D = n = d, with the result type of the scene.
 template <int D>
 class any_scene_with_effects {
   using numbers = vector<double, D>;
   using walls_type = typename any_scene<D>::contacts_type;
   using effect_list = std::vector<any_effect<D>>;
 
-  // The sum of the effects on the handle, in their order.
   struct on_handle {
     using scalar = double;
     static constexpr int dimension = D;
@@ -87,7 +84,6 @@ class any_scene_with_effects {
     const effect_list* all;
     const walls_type* touched;
   };
-  // Likewise of those on the joints.
   struct on_joints {
     using scalar = double;
     static constexpr int dof = D;
@@ -105,12 +101,12 @@ class any_scene_with_effects {
   static constexpr int dimension = D;  ///< d
   /// The contacts and the effects.
   struct contacts_type : touched_type {
-    /// As of the walls alone.
+    /// As without effects.
     template <class M>
     using result_type = step_result_for<M, walls_type>;
   };
 
-  /// Takes these walls and effects.
+  /// Holds these walls and effects.
   any_scene_with_effects(any_scene<D> walls, effect_list effects)
       : walls_(std::move(walls)), effects_(std::move(effects)), sums_{on_handle{}, on_joints{}} {}
 

@@ -1,5 +1,4 @@
-/// @file
-/// A mechanism that is known at run time only.
+/// Mechanisms chosen at run time.
 #pragma once
 
 #include <passive_haptics/brake/models/encoder_axes.hpp>
@@ -15,13 +14,12 @@
 
 namespace passive_haptics::runtime {
 
-/// A mechanism behind virtual functions. Spans have as many numbers as sizes() says.
+/// A mechanism by virtual functions. Spans have the sizes in sizes().
 class any_mechanism {
  public:
-  /// Axes of the encoders of joint positions, and back (encoder_axes.hpp): count x n and n x count, column by
-  /// column.
+  /// Conversion between encoder axes and joints (encoder_axes.hpp), column by column.
   struct encoder_maps {
-    int count = 0;                                                           ///< Of the encoders.
+    int count = 0;                                                           ///< Number of encoders.
     std::array<double, std::size_t(max_joints) * max_joints> from_joints{};  ///< T
     std::array<double, std::size_t(max_joints) * max_joints> to_joints{};    ///< T^+
   };
@@ -30,7 +28,7 @@ class any_mechanism {
   struct joint_pose {
     joint_numbers q;              ///< n, as there.
     status outcome = status::ok;  ///< As there.
-    bool has_inverse = false;     ///< False for a mechanism without a formula.
+    bool has_inverse = false;     ///< False without an inverse formula.
   };
 
   virtual ~any_mechanism() = default;
@@ -38,7 +36,7 @@ class any_mechanism {
   virtual device_sizes sizes() const noexcept = 0;
   /// True if it has mass_matrix, bias_torque and bias_acceleration.
   virtual bool has_inertia() const noexcept = 0;
-  /// False for a handle of which the mechanism says that it keeps its orientation: M::handle_rotates.
+  /// False if M::handle_rotates is false: the handle keeps its orientation.
   virtual bool handle_rotates() const noexcept = 0;
   /// End effector [m], base frame.
   virtual task_numbers position(std::span<const double> q) const noexcept = 0;
@@ -46,10 +44,10 @@ class any_mechanism {
   virtual void jacobian(std::span<const double> q, std::span<double> J) const noexcept = 0;
   /// w = T qd [rad/s or m/s].
   virtual joint_numbers brake_rates(std::span<const double> q, std::span<const double> qd) const noexcept = 0;
-  /// Joint positions that put the end effector at x, by the mechanism's own formula; has_inverse is false
-  /// where it has none. `branch` matters for mechanisms that require one.
+  /// Joint positions for the end effector at x by the mechanism's formula; has_inverse is false without one.
+  /// `branch` is only used by mechanisms that need it.
   virtual joint_pose solve(std::span<const double> x, elbow branch) const = 0;
-  /// As solve(), in the usual branch; none where there is no formula, or x is out of reach.
+  /// As solve(), in the usual branch; empty without a formula or if x is out of reach.
   joint_numbers inverse(std::span<const double> x) const {
     const joint_pose found = solve(x, elbow::left);
     return found.has_inverse && found.outcome == status::ok ? found.q : joint_numbers();
@@ -57,7 +55,7 @@ class any_mechanism {
   /// The maps of the encoders.
   virtual encoder_maps encoders() const noexcept = 0;
 
-  /// As what controllers and plants hold it (held_mechanism): the type, and the address of one.
+  /// Type and address of the held_mechanism that controllers and plants use.
   virtual std::pair<std::type_index, const void*> held() const noexcept = 0;
 };
 
@@ -80,7 +78,7 @@ class mechanism_model final : public any_mechanism {
   }
   task_numbers position(std::span<const double> q) const noexcept override {
     const joint_vector<M> at(q.data());
-    return task_numbers(mechanism_pose<M>(own_, at).position());  // with the bits that a cycle has
+    return task_numbers(mechanism_pose<M>(own_, at).position());  // bit-identical to a cycle
   }
   void jacobian(std::span<const double> q, std::span<double> J) const noexcept override {
     const jacobian_matrix<M> found(passive_haptics::jacobian(own_, joint_vector<M>(q.data())));

@@ -1,5 +1,4 @@
-/// @file
-/// A struct of parameters whose type is known at run time only: its members as a list, by name.
+/// Parameter structs of a type chosen at run time: their members as a list, by name.
 #pragma once
 
 #include <passive_haptics/core/parameter_text.hpp>
@@ -15,8 +14,7 @@
 
 namespace passive_haptics::runtime {
 
-/// A member by address. The members of a struct within stand in its place; a list of structs is a list of
-/// tables.
+/// A member by address. Members of nested structs are inlined; a list of structs is a list of tables.
 struct field {
   /// Type of the value.
   enum class kind {
@@ -28,23 +26,24 @@ struct field {
     points,   ///< A list of points, as many as are given.
     tables,   ///< A list of structs.
   };
-  member_description about;                     ///< Name, unit, range.
-  kind type = kind::numbers;                    ///< Of which type.
-  void* at = nullptr;                           ///< The value, or the first of the numbers.
-  int rows = 1;                                 ///< Of numbers, column by column; of whole numbers.
-  int columns = 1;                              ///< Likewise.
-  int (*get)(const void* at) = nullptr;         ///< Reads a whole number, truth or choice.
-  bool (*set)(void* at, int value) = nullptr;   ///< Writes it; false for a negative number of a type without.
-  std::size_t stride = 0;                       ///< From one whole number of an array to the next [bytes].
-  std::vector<std::vector<field>> tables = {};  ///< Of each struct of the list.
-  /// Makes so many structs of a list and gives their tables; nullptr if the length of the list is fixed.
+  member_description about;              ///< Name, unit, range.
+  kind type = kind::numbers;             ///< Type.
+  void* at = nullptr;                    ///< The value, or the first of the numbers.
+  int rows = 1;                          ///< Of numbers, column by column; or of whole numbers.
+  int columns = 1;                       ///< Likewise.
+  int (*get)(const void* at) = nullptr;  ///< Reads a whole number, truth or choice.
+  bool (*set)(void* at,
+              int value) = nullptr;  ///< Writes it; false for a negative number of an unsigned type.
+  std::size_t stride = 0;            ///< Between the whole numbers of an array [bytes].
+  std::vector<std::vector<field>> tables = {};  ///< One per struct of the list.
+  /// Resizes a list of structs and returns their tables; nullptr for a fixed length.
   std::vector<std::vector<field>> (*resize_tables)(void* at, std::size_t count) = nullptr;
-  /// Makes so many points of a list, each of `rows` numbers, one after the other; the first number.
+  /// Resizes a list of points of `rows` numbers each, stored contiguously; returns the first number.
   double* (*resize)(void* at, std::size_t points) = nullptr;
-  /// The number of points of such a list.
+  /// Number of points of such a list.
   std::size_t (*size)(const void* at) = nullptr;
 
-  /// Of `count` values that are a whole number, truth or choice each.
+  /// `count` values of type whole number, truth or choice.
   template <class V>
   static field of(const member_description& about, V* first, int count) {
     field f{about,
@@ -62,19 +61,19 @@ struct field {
     return f;
   }
 
-  int count() const { return rows * columns; }                          ///< How many numbers.
+  int count() const { return rows * columns; }                          ///< Number of numbers.
   double* numbers() const { return static_cast<double*>(at); }          ///< The numbers.
   std::string& text() const { return *static_cast<std::string*>(at); }  ///< The text.
 };
 
-/// The fields of a struct of parameters, in the order of its table.
+/// Fields of a parameter struct in the order of its table.
 using field_list = std::vector<field>;
 
 /// Adds the members of a struct, which must outlive the list.
 template <Parameters P>
 void add_fields(field_list& all, P& table);
 
-/// The fields of each struct of a list, which must outlive them.
+/// Fields of each struct of a list, which must outlive them.
 template <class List>
 std::vector<field_list> tables_of(List& list) {
   std::vector<field_list> all;
@@ -126,43 +125,42 @@ void add_fields(field_list& all, P& table) {
 
 /// No parameters.
 struct no_parameters {
-  /// The table of core/parameters.hpp.
   static constexpr auto members() { return member_table(); }
 };
 
-/// Holds a struct of parameters. Copies are values.
+/// Holds a parameter struct by value.
 class any_parameters {
  public:
-  /// None.
+  /// No parameters.
   any_parameters() : any_parameters(no_parameters()) {}
-  /// Holds these.
+  /// Holds these parameters.
   template <Parameters P>
   explicit any_parameters(P p) : held_(std::make_unique<model<P>>(std::move(p))) {}
-  /// The same values.
+  /// A copy.
   any_parameters(const any_parameters& other) : held_(other.held_->copy()) {}
-  /// Takes over what another one holds.
+  /// Moves.
   any_parameters(any_parameters&&) noexcept = default;
-  /// As by a copy.
+  /// A copy.
   any_parameters& operator=(const any_parameters& other) {
     held_ = other.held_->copy();
     return *this;
   }
-  /// Takes over what another one holds.
+  /// Moves.
   any_parameters& operator=(any_parameters&&) noexcept = default;
   ~any_parameters() = default;
 
-  /// By address: valid until something is assigned to this object.
+  /// By address, valid until an assignment to this object.
   field_list fields() { return held_->fields(); }
-  /// The error text of validate(); empty if the values are valid.
+  /// Error text of validate(), empty if there is none.
   std::string error() const { return held_->error(); }
-  /// A line for each unusual value, by remarks().
+  /// One line per unusual value, by remarks().
   std::string remarks(const std::string& part = "") const { return held_->remarks(part); }
-  /// Calls f(name, error) for each value that no device has, by passive_haptics::for_each_suspicious().
+  /// Calls f(name, error) for each implausible value, by passive_haptics::for_each_suspicious().
   void for_each_suspicious(const std::function<void(const char*, const std::string&)>& f) const {
     held_->for_each_suspicious(f);
   }
 
-  /// The struct itself. Throws std::logic_error if it is another one.
+  /// The struct. Throws std::logic_error for another type.
   template <class P>
   const P& as() const {
     const void* found = held_->as(typeid(P));

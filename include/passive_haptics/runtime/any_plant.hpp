@@ -1,5 +1,4 @@
-/// @file
-/// A simulated device whose mechanism and brakes are known at run time only.
+/// Simulated devices with a mechanism and brakes chosen at run time.
 #pragma once
 
 #include <passive_haptics/plant/simulated_device.hpp>
@@ -10,13 +9,13 @@
 
 namespace passive_haptics::runtime {
 
-/// A device that moves under commands and a hand, a Plant. See simulated_device for the units.
+/// A simulated device of any size. Units as in simulated_device.
 class any_plant {
  public:
   virtual ~any_plant() = default;
-  /// One time step dt [s] under m capacities and the d components of the muscle force.
+  /// Advances by dt [s] under m capacities and d components of the muscle force.
   virtual void advance(double dt, std::span<const double> capacity, std::span<const double> muscle_force) = 0;
-  /// n joint positions and rates.
+  /// Sets n joint positions and rates.
   virtual void set_motion(std::span<const double> q, std::span<const double> qd) = 0;
   virtual joint_numbers q() const = 0;               ///< n
   virtual joint_numbers qd() const = 0;              ///< n
@@ -27,16 +26,15 @@ class any_plant {
   virtual task_numbers velocity() const = 0;         ///< d
   virtual task_numbers sensed_force() const = 0;     ///< d
   virtual task_numbers brake_force() const = 0;      ///< d
-  virtual double min_mass() const = 0;               ///< As of a simulated_device [kg].
+  virtual double min_mass() const = 0;               ///< As simulated_device [kg].
   virtual const energy_balance& energy() const = 0;  ///< Since the last set_motion.
 };
 
-/// Compiled once for each kind of mechanism.
+/// Compiled once per kind of mechanism.
 template <class M>
 class plant_of final : public any_plant {
  public:
-  /// A simulated_device at rest at q. Throws std::invalid_argument where that does, or for another number of
-  /// brakes.
+  /// A simulated_device at rest at q. Throws std::invalid_argument as there, or for another number of brakes.
   plant_of(const M& mechanism, const std::vector<run_time_brake>& brakes, double hand_mass,
            std::span<const double> q)
       : device_(mechanism, models_from(brakes), hand_mass, joint_vector<M>(q.data())) {}
@@ -59,7 +57,7 @@ class plant_of final : public any_plant {
   double min_mass() const override { return device_.min_mass(); }
   const energy_balance& energy() const override { return device_.energy(); }
 
-  simulated_device<M, run_time_brake>& device() { return device_; }  ///< The device itself.
+  simulated_device<M, run_time_brake>& device() { return device_; }  ///< The device.
 
  private:
   static brake_models_of<M, run_time_brake> models_from(const std::vector<run_time_brake>& brakes) {

@@ -1,6 +1,4 @@
-/// @file
-/// A scene that is known at run time only: the seam between geometry and controllers. Contacts pass it as
-/// values.
+/// Scenes chosen at run time, the interface between geometry and controllers. Contacts are passed by value.
 #pragma once
 
 #include <passive_haptics/scene/contacts.hpp>
@@ -13,36 +11,35 @@
 namespace passive_haptics::runtime {
 
 /// Holds a scene of D dimensions with at most D + 1 contacts: a world, a static_scene, a held_scene of one.
-/// Each copy has its own memory of the handle. Gives the contacts of the scene itself, at the cost of a
-/// virtual call.
+/// Copies have their own state of the handle. Contacts are those of the scene, at the cost of a virtual call.
 template <int D>
 class any_scene {
  public:
   static constexpr int dimension = D;        ///< d
-  using contacts_type = contacts<D, D + 1>;  ///< What sensing this scene gives.
+  using contacts_type = contacts<D, D + 1>;  ///< Type of the contacts.
 
   /// Holds this scene.
   template <class S>
     requires(!std::same_as<S, any_scene> && S::dimension == D)
   explicit any_scene(S scene) : held_(std::make_unique<model<S>>(std::move(scene))) {}
-  /// A copy with a memory of its own.
+  /// A copy with its own memory.
   any_scene(const any_scene& other) : held_(other.held_->copy()) {}
-  /// Takes over what another one holds.
+  /// Moves.
   any_scene(any_scene&&) noexcept = default;
-  /// As by a copy.
+  /// A copy with its own memory.
   any_scene& operator=(const any_scene& other) {
     held_ = other.held_->copy();
     return *this;
   }
-  /// Takes over what another one holds.
+  /// Moves.
   any_scene& operator=(any_scene&&) noexcept = default;
   ~any_scene() = default;
 
   /// The contacts at x [m] and a time [s], valid until the next call.
   const contacts_type& touched_at(const point<D>& x, double time) { return held_->touched_at(x, time); }
-  /// Gives contacts from this distance [m] off each wall on, where the scene can (SeesAhead).
+  /// Reports contacts from this distance to each wall [m], if the scene can (SeesAhead).
   void set_margin(double margin) { held_->set_margin(margin); }
-  /// Forgets the handle, and the latest sample where one is held.
+  /// Forgets the handle and a held sample.
   void reset() { held_->reset(); }
 
  private:
@@ -87,28 +84,28 @@ class any_scene {
   std::unique_ptr<any_model> held_;
 };
 
-/// The contact of a scene with the largest desired force, for a law that takes one.
+/// The contact with the maximum desired force, for laws with one contact.
 template <int D>
 class strongest_contact_of {
  public:
   static constexpr int dimension = D;    ///< d
-  using contacts_type = contacts<D, 1>;  ///< What sensing this scene gives.
+  using contacts_type = contacts<D, 1>;  ///< Type of the contacts.
 
-  /// Takes the contacts of this scene.
+  /// Selects from this scene.
   explicit strongest_contact_of(any_scene<D> scene) : scene_(std::move(scene)) {}
   /// The contact at x [m] and a time [s].
   contacts_type touched_at(const point<D>& x, double time) {
     contacts_type one;
     const contact<D>* strongest = nullptr;
-    for (const contact<D>& c : scene_.touched_at(x, time))  // a NaN is reported, so it wins
+    for (const contact<D>& c : scene_.touched_at(x, time))  // NaN is selected, so that it is reported
       if (strongest == nullptr || !(c.stiffness * c.depth <= strongest->stiffness * strongest->depth))
         strongest = &c;
     if (strongest != nullptr) one.append_unchecked(*strongest);
     return one;
   }
-  /// As of the scene.
+  /// As the scene.
   void set_margin(double margin) { scene_.set_margin(margin); }
-  /// As of the scene.
+  /// As the scene.
   void reset() { scene_.reset(); }
 
  private:

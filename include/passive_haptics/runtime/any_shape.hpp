@@ -1,5 +1,4 @@
-/// @file
-/// A shape that is known at run time only.
+/// Shapes chosen at run time.
 #pragma once
 
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
@@ -11,15 +10,15 @@
 
 namespace passive_haptics::runtime {
 
-/// Holds a Shape whose gradient is a unit vector, with all that a Shape may have besides. Copies share it.
-/// A wall of it gives the contacts of the shape itself, at the cost of a virtual call for each number.
+/// Holds a Shape with a unit gradient, and its optional members. Shared by its copies. Contacts are those of
+/// the shape, at the cost of one virtual call per value.
 template <int D>
 class any_shape {
   using square = matrix<double, D, D>;
 
  public:
   static constexpr int dimension = D;              ///< d
-  static constexpr bool has_unit_gradient = true;  ///< As of all that it may hold.
+  static constexpr bool has_unit_gradient = true;  ///< Required of the shape.
 
   /// Holds this shape.
   template <Shape S>
@@ -32,13 +31,13 @@ class any_shape {
   double distance(const point<D>& x) const { return held_->distance(x); }
   /// Unit vector to the free side.
   point<D> gradient(const point<D>& x) const { return held_->gradient(x); }
-  /// Second derivative of the distance [1/m]; zero of a shape that provides none.
+  /// Hessian of the distance [1/m]; zero if the shape has none.
   square hessian(const point<D>& x) const { return held_->hessian(x); }
-  /// Velocity of the surface [m/s]; zero of a shape that does not move.
+  /// Velocity of the surface [m/s]; zero if the shape does not move.
   point<D> velocity(const point<D>& x) const { return held_->velocity(x); }
-  /// A box that holds the shape.
+  /// Bounding box.
   bounding_box<D> bounds() const { return held_->bounds(); }
-  /// The smallest distance between two opposite sides [m].
+  /// Minimum distance between opposite sides [m].
   double thickness() const { return held_->thickness(); }
 
  private:

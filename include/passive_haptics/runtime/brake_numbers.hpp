@@ -1,5 +1,4 @@
-/// @file
-/// The brakes of a device whose number is known at run time only.
+/// Brakes of a device of any size.
 #pragma once
 
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
@@ -9,7 +8,7 @@
 
 namespace passive_haptics::runtime {
 
-/// switchable_brake_parameters of any number of brakes: its members, in its order.
+/// switchable_brake_parameters for any number of brakes, with equal members.
 struct brake_numbers {
   std::vector<double> torque_limit;      ///< m [N m], as there.
   std::vector<double> torque_lower;      ///< m [N m], as there.
@@ -18,7 +17,7 @@ struct brake_numbers {
   std::vector<double> torque_dead_band;  ///< m [N m], as there.
   std::vector<double> time_constant;     ///< m [s], as there.
 
-  /// So many, all on, with the default values.
+  /// `count` brakes with default values, all on.
   explicit brake_numbers(int count = 0) {
     const switchable_brake_parameters<double, 1> usual;
     for_each([&](auto here, auto there) {
@@ -26,7 +25,6 @@ struct brake_numbers {
     });
   }
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = brake_numbers;
     return member_table(
@@ -39,14 +37,14 @@ struct brake_numbers {
         member("time_constant", &p::time_constant, "s", range::not_negative).suspicious_above(1));
   }
 
-  /// True if all brakes work both ways: none is off or one-way.
+  /// True if all brakes work both ways.
   bool has_no_bounds() const {
     constexpr double unbounded = switchable_brake_parameters<double, 1>::unbounded;
     return std::ranges::count(torque_lower, -unbounded) == std::ssize(torque_lower) &&
            std::ranges::count(torque_upper, unbounded) == std::ssize(torque_upper);
   }
 
-  /// As the brakes of m brakes, B: switchable ones, or brake_parameters, which have no bounds.
+  /// As brakes of type B with m brakes: switchable, or brake_parameters without bounds.
   template <class B>
   B as() const {
     B b;

@@ -1,5 +1,4 @@
-/// @file
-/// The wall calculator (design/wall_limits.hpp) for mechanisms that are known at run time only.
+/// The wall calculator (design/wall_limits.hpp) for mechanisms chosen at run time.
 #pragma once
 
 #include <passive_haptics/design/braked_wall_at.hpp>
@@ -10,18 +9,18 @@
 
 namespace passive_haptics::runtime {
 
-/// A handle that touches a wall, as passive_haptics::braked_wall_at() takes it.
+/// Arguments of passive_haptics::braked_wall_at().
 struct wall_touch {
   std::span<const double> q;                ///< n [rad or m]
   std::span<const double> velocity;         ///< d [m/s]
-  std::span<const double> normal;           ///< d, out of the wall, of any length > 0.
+  std::span<const double> normal;           ///< d, outward, any length > 0.
   std::span<const double> residual_torque;  ///< m [N m]
-  std::span<const double> resolution;       ///< A count of each encoder [rad or m].
+  std::span<const double> resolution;       ///< One count of each encoder [rad or m].
   double hand_mass = 0;                     ///< [kg]
 };
 
-/// Compiled once for each kind of mechanism with inertia and as many joints as task dimensions. Throws
-/// std::invalid_argument if numbers are missing.
+/// Compiled once per kind of mechanism with inertia and as many joints as task dimensions. Throws
+/// std::invalid_argument for missing numbers.
 template <class M>
 braked_wall wall_at(const M& mechanism, const brake_numbers& brakes, const wall_touch& touch) {
   require_count("joint positions", std::ssize(touch.q), M::dof);

@@ -1,6 +1,5 @@
-/// @file
-/// Mechanisms, laws, shapes and brake models by name, and what is compiled of them. examples/catalogue has
-/// those of the library; a program adds its own with a line each.
+/// Mechanisms, laws, shapes and brake models by name, and the code compiled for them. examples/catalogue
+/// registers those of the library; a program adds its own with one line each.
 #pragma once
 
 #include <passive_haptics/runtime/any_controller.hpp>
@@ -22,66 +21,65 @@
 
 namespace passive_haptics::runtime {
 
-/// A law by its name.
+/// A law by name.
 struct law_entry {
   std::string name;               ///< As in a device file.
-  any_parameters defaults;        ///< Its parameters.
-  bool needs_hand_force = false;  ///< As the law says, like the two below.
-  bool needs_dynamics = false;    ///< As the law says.
-  bool takes_one_wall = false;    ///< Of several it gets the strongest contact.
-  bool displays_effects = false;  ///< Of devices with n = m = d (takes_effects).
-  std::type_index type;           ///< Of the law.
+  any_parameters defaults;        ///< Parameters.
+  bool needs_hand_force = false;  ///< As in the law, like the next two.
+  bool needs_dynamics = false;    ///< As in the law.
+  bool takes_one_wall = false;    ///< Receives only the strongest contact.
+  bool displays_effects = false;  ///< For devices with n = m = d (takes_effects).
+  std::type_index type;           ///< Type of the law.
 };
 
-/// A mechanism by its name.
+/// A mechanism by name.
 struct mechanism_entry {
   std::string name;          ///< As in a device file.
-  any_parameters defaults;   ///< Its parameters.
+  any_parameters defaults;   ///< Parameters.
   device_sizes sizes;        ///< n, d and m.
-  bool has_inertia = false;  ///< True for a mechanism with Dynamics.
-  /// The mechanism of such parameters. Throws std::invalid_argument where its constructor does.
+  bool has_inertia = false;  ///< Models Dynamics.
+  /// Makes the mechanism. Throws std::invalid_argument as its constructor.
   std::function<std::unique_ptr<any_mechanism>(const any_parameters&)> make;
 };
 
-/// A shape by its name.
+/// A shape by name.
 template <int D>
 struct shape_entry {
   std::string name;          ///< As in a device file.
-  any_parameters defaults;   ///< Its parameters.
-  bool takes_shape = false;  ///< It is made of another shape, as an offset is; others are given nullptr.
-  /// The shape. Throws std::invalid_argument where its constructor does. Empty for what is no Shape.
+  any_parameters defaults;   ///< Parameters.
+  bool takes_shape = false;  ///< Made from another shape, as an offset; others receive nullptr.
+  /// Makes the shape. Throws std::invalid_argument as its constructor. Empty for walls that are not a Shape.
   std::function<any_shape<D>(const any_parameters&, const any_shape<D>* of)> make;
-  /// A wall of it with this stiffness [N/m], likewise.
+  /// Makes a wall of it with this stiffness [N/m], in the same way.
   std::function<any_wall<D>(const any_parameters&, const any_shape<D>* of, double stiffness)> make_wall;
 };
 
-/// An effect by its name.
+/// An effect by name.
 template <int D>
 struct effect_entry {
   std::string name;         ///< As in a device file.
-  any_parameters defaults;  ///< Its parameters.
-  /// The effect. Throws std::invalid_argument where its constructor does.
+  any_parameters defaults;  ///< Parameters.
+  /// Makes the effect. Throws std::invalid_argument as its constructor.
   std::function<any_effect<D>(const any_parameters&)> make;
 };
 
-/// A model of a real brake by its name.
+/// A brake model by name.
 struct brake_model_entry {
   std::string name;                                           ///< As in a device file.
-  any_parameters defaults;                                    ///< Its parameters.
-  std::function<run_time_brake(const any_parameters&)> make;  ///< The model of such parameters.
+  any_parameters defaults;                                    ///< Parameters.
+  std::function<run_time_brake(const any_parameters&)> make;  ///< Makes the model.
 };
 
-/// A law's type with its name.
+/// A law type with its name.
 template <ControlLaw L>
 struct named_law {
   const char* name;  ///< As in a device file.
 };
 
-/// All that has a name, and for which kinds of mechanisms controllers are compiled. Filled before threads
-/// start.
+/// All named types, and controllers compiled for kinds of mechanisms. Fill it before threads start.
 class catalogue {
  public:
-  /// All mechanisms, in the order in which they were added.
+  /// All mechanisms in order of registration.
   const std::vector<mechanism_entry>& mechanisms() const { return mechanisms_; }
   /// All laws, in the order of preference.
   const std::vector<law_entry>& laws() const { return laws_; }
@@ -101,7 +99,7 @@ class catalogue {
     else return effects_in_space_;
   }
 
-  /// A mechanism made of parameters P, or of none.
+  /// Adds a mechanism with parameters P, or none.
   template <DifferentiableMechanism M, Parameters P = no_parameters>
   void add_mechanism(std::string name) {
     mechanisms_.push_back({std::move(name),
@@ -114,14 +112,14 @@ class catalogue {
                              else return std::make_unique<mechanism_model<M>>(M(p.as<P>()));
                            }});
   }
-  /// Laws.
+  /// Adds laws.
   template <class... L>
   void add_laws(const named_law<L>&... laws) {
     (laws_.push_back({laws.name, any_parameters(law_parameters<L>()), needs_hand_force<L>, needs_dynamics<L>,
                       saturates_before_scaling<L>, displays_effects<L>, typeid(L)}),
      ...);
   }
-  /// A shape made of parameters P.
+  /// Adds a shape with parameters P.
   template <Shape S, Parameters P>
   void add_shape(std::string name) {
     constexpr int D = S::dimension;
@@ -131,13 +129,13 @@ class catalogue {
                     return any_wall<D>(wall(S(p.as<P>()), stiffness));
                   }});
   }
-  /// A shape that is made in another way.
+  /// Adds a shape by an entry.
   template <int D>
   void add_shape(shape_entry<D> entry) {
     if constexpr (D == 2) shapes_in_the_plane_.push_back(std::move(entry));
     else shapes_in_space_.push_back(std::move(entry));
   }
-  /// An effect made of parameters P, of devices with D = n = d.
+  /// Adds an effect with parameters P, for devices with D = n = d.
   template <int D, class E, Parameters P>
   void add_effect(std::string name) {
     effect_entry<D> entry{std::move(name), any_parameters(P()),
@@ -145,7 +143,7 @@ class catalogue {
     if constexpr (D == 2) effects_in_the_plane_.push_back(std::move(entry));
     else effects_in_space_.push_back(std::move(entry));
   }
-  /// A brake model that is its own parameters.
+  /// Adds a brake model that is its own parameter struct.
   template <BrakeModel Model>
   void add_brake_model(std::string name) {
     brake_models_.push_back({std::move(name), any_parameters(Model()), [](const any_parameters& p) {
@@ -153,8 +151,7 @@ class catalogue {
                              }});
   }
 
-  /// Compiles controllers under these laws, and the plant, for all mechanisms of the kind of M: 5 to 20 s of
-  /// the compiler for each law.
+  /// Compiles controllers under these laws, and the plant, for all mechanisms of M's kind: 5 to 20 s per law.
   template <DifferentiableMechanism M, class... L>
   void compile_for(const named_law<L>&...) {
     using H = held_mechanism<M>;
@@ -174,15 +171,14 @@ class catalogue {
   bool is_compiled(const any_mechanism& mechanism, const law_entry& law) const {
     return controllers_.contains({mechanism.held().first, law.type});
   }
-  /// The controller of a mechanism and a law for which is_compiled(), and whose needs the device meets.
-  /// Throws std::invalid_argument where controller_of does.
+  /// Makes a controller. Requires is_compiled() and a device that meets the needs of the law. Throws
+  /// std::invalid_argument as controller_of.
   std::unique_ptr<any_controller> make_controller(const any_mechanism& mechanism, const law_entry& law,
                                                   const controller_parts& parts) const {
     const auto [type, of] = mechanism.held();
     return controllers_.at({type, law.type})(of, parts);
   }
-  /// A mechanism with inertia as a simulated device with these brakes; nullptr where none is compiled. Throws
-  /// std::invalid_argument where plant_of does.
+  /// Makes a simulated device; nullptr if none is compiled. Throws std::invalid_argument as plant_of.
   std::unique_ptr<any_plant> make_plant(const any_mechanism& mechanism,
                                         const std::vector<run_time_brake>& brakes, double hand_mass,
                                         std::span<const double> q) const {
@@ -191,9 +187,8 @@ class catalogue {
     if (!mechanism.has_inertia() || found == plants_.end()) return nullptr;
     return found->second(of, brakes, hand_mass, q);
   }
-  /// The wall that these brakes of a mechanism can make where the handle touches it; none for a mechanism
-  /// without inertia, or with more joints than task dimensions. Throws std::invalid_argument where wall_at
-  /// does.
+  /// Returns the wall that these brakes can render at a touch; empty for a mechanism without inertia, or with
+  /// more joints than task dimensions. Throws std::invalid_argument as wall_at.
   std::optional<braked_wall> braked_wall_at(const any_mechanism& mechanism, const brake_numbers& brakes,
                                             const wall_touch& touch) const {
     const auto [type, of] = mechanism.held();
@@ -228,7 +223,7 @@ class catalogue {
   std::map<std::type_index, wall_maker> wall_makers_;
 };
 
-/// The entry of this name; nullptr.
+/// The entry with this name, or nullptr.
 template <class Entry>
 const Entry* find(const std::vector<Entry>& all, std::string_view name) {
   for (const Entry& one : all)

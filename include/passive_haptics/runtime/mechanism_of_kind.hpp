@@ -1,5 +1,4 @@
-/// @file
-/// Mechanisms of one kind behind virtual functions: what is compiled for the kind serves all of them.
+/// Type-erased mechanisms of one kind, so that code is compiled once per kind.
 #pragma once
 
 #include <passive_haptics/brake/force_generators.hpp>
@@ -17,13 +16,13 @@
 
 namespace passive_haptics::runtime {
 
-/// The properties of a mechanism that a control cycle distinguishes at compile time.
+/// Properties of a mechanism that a control cycle distinguishes at compile time.
 struct mechanism_kind {
   int dof = 0;                             ///< n
   int task_dimension = 0;                  ///< d
   int brake_count = 0;                     ///< m
-  bool has_constant_transmission = false;  ///< Else none: a brake on each joint.
-  /// Equal in all members.
+  bool has_constant_transmission = false;  ///< False: no transmission, a brake on each joint.
+  /// True for equal members.
   friend bool operator==(const mechanism_kind&, const mechanism_kind&) = default;
 };
 
@@ -32,15 +31,15 @@ template <DifferentiableMechanism M>
 inline constexpr mechanism_kind kind_of{M::dof, M::task_dimension, M::brake_count,
                                         detail::transmission_is_constant<M>};
 
-/// Holds a mechanism of this kind. Copies share it. A cycle has the bits that it has with the mechanism
-/// itself, at the cost of a virtual call for a pose.
+/// Holds a mechanism of this kind. Shared by its copies. Results are bit-identical to those with the
+/// mechanism itself, at the cost of a virtual call per pose.
 template <mechanism_kind Kind>
 class mechanism_of_kind {
   static constexpr int n = Kind.dof, d = Kind.task_dimension, m = Kind.brake_count;
   struct any_model;
 
  public:
-  using scalar = double;                    ///< Of all lengths and angles.
+  using scalar = double;                    ///< Scalar.
   static constexpr int dof = n;             ///< Joints.
   static constexpr int task_dimension = d;  ///< Components of position().
   static constexpr int brake_count = m;     ///< Brakes.
@@ -52,7 +51,7 @@ class mechanism_of_kind {
   using m_by_n = matrix<double, m, n>;  ///< T
   using n_by_n = matrix<double, n, n>;  ///< M
 
-  /// Position and Jacobian in one pose. Lives no longer than the mechanism and q.
+  /// Position and Jacobian in one pose. Must not outlive the mechanism and q.
   class pose_values {
    public:
     pose_values(const pose_values&) = delete;
@@ -63,8 +62,8 @@ class mechanism_of_kind {
    private:
     friend mechanism_of_kind;
     pose_values(const any_model& of, const joints& q) { of.measure(q, *this); }
-    static constexpr std::size_t max_size = 8192;  // [bytes], far more than seven bodies need
-    alignas(std::max_align_t) std::array<std::byte, max_size> own;  // mechanism_pose of the mechanism held
+    static constexpr std::size_t max_size = 8192;  // [bytes], far above the need of seven bodies
+    alignas(std::max_align_t) std::array<std::byte, max_size> own;  // mechanism_pose of the mechanism
   };
 
   /// Holds this mechanism.
@@ -84,7 +83,7 @@ class mechanism_of_kind {
   d_by_n jacobian(const pose_values& at) const { return at.J; }
   /// J in pose q.
   d_by_n jacobian(const joints& q) const { return pose(q).J; }
-  /// G (4) [N per N m], as force_generators() makes it of the mechanism.
+  /// G (4) [N per N m], as force_generators() of the mechanism.
   d_by_m force_generators(const pose_values& at) const
     requires(n == d)
   {
@@ -97,7 +96,7 @@ class mechanism_of_kind {
     return held_->T;
   }
 
-  /// True if the mechanism has inertia. Without it the functions that follow give NaN.
+  /// True if the mechanism has inertia; otherwise the following functions return NaN.
   bool has_inertia() const { return held_->has_inertia; }
   /// M [kg m^2, kg m or kg].
   n_by_n mass_matrix(const pose_values& at) const { return held_->mass_matrix(at); }
@@ -169,8 +168,8 @@ class mechanism_of_kind {
   std::shared_ptr<const any_model> held_;
 };
 
-/// A mechanism of which a cycle knows only the kind at compile time. A Jacobian that is constant or diagonal,
-/// or a transmission that turns with the pose, makes one of its own.
+/// A mechanism of which a cycle only needs the kind at compile time. A constant or diagonal Jacobian, or a
+/// transmission that depends on the pose, requires the type itself.
 template <class M>
 concept HasKind = std::same_as<typename M::scalar, double> && !detail::transmission_depends_on_pose<M> &&
                   !detail::jacobian_is_constant<M> &&
@@ -186,9 +185,9 @@ struct held_mechanism_of {
 template <DifferentiableMechanism M>
   requires HasKind<M>
 struct held_mechanism_of<M> {
-  using type = mechanism_of_kind<kind_of<M>>;  ///< All of the kind.
+  using type = mechanism_of_kind<kind_of<M>>;  ///< Type for the kind.
 };
-/// As what controllers and plants hold mechanism M: by its kind, else M itself.
+/// Type by which controllers and plants hold mechanism M: by its kind, else M itself.
 template <DifferentiableMechanism M>
 using held_mechanism = typename held_mechanism_of<M>::type;
 

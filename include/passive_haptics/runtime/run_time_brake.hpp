@@ -1,5 +1,4 @@
-/// @file
-/// A brake whose model is known at run time only.
+/// Brakes with a model chosen at run time.
 #pragma once
 
 #include <passive_haptics/brake/models/brake_model.hpp>
@@ -13,21 +12,21 @@
 
 namespace passive_haptics::runtime {
 
-/// Holds a BrakeModel. Copies share it. A device that is simulated with it moves as with the model itself.
+/// Holds a BrakeModel. Shared by its copies. Simulations are identical to those with the model itself.
 class run_time_brake {
   static constexpr std::size_t max_state_size = 128;  // [bytes]
 
  public:
-  using scalar = double;  ///< Of all models.
-  /// A place for what the model remembers.
+  using scalar = double;  ///< Scalar of all models.
+  /// Storage for the state of the model.
   struct state {
     alignas(
         std::max_align_t) std::array<std::byte, max_state_size> of_model = {};  ///< Its state, once begun.
-    bool has_begun = false;                                                     ///< Whether there is one.
+    bool has_begun = false;  ///< True once the state exists.
   };
 
-  brake_resistance<double> residual;  ///< That of the model.
-  double compliance;                  ///< That of the model [rad/(N m)].
+  brake_resistance<double> residual;  ///< As the model.
+  double compliance;                  ///< As the model [rad/(N m)].
 
   /// Holds a copy of this model.
   template <BrakeModel Model>
@@ -37,11 +36,11 @@ class run_time_brake {
         compliance(compliance_of(brake)),
         held_(std::make_shared<model<Model>>(brake)) {}
 
-  /// See BrakeModel.
+  /// As BrakeModel.
   brake_resistance<double> advance(double dt, double command, double rate, state& now) const noexcept {
     return held_->advance(dt, command, rate, now);
   }
-  /// See BrakeModel.
+  /// As BrakeModel.
   double torque_limit_at(double rate) const noexcept { return held_->torque_limit_at(rate); }
 
  private:

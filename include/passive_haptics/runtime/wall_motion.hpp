@@ -1,5 +1,4 @@
-/// @file
-/// Walls that move by themselves: where they are follows from the time of a cycle, which a log has, too.
+/// Walls with a motion given by the time of a cycle, which logs contain.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -13,28 +12,27 @@
 
 namespace passive_haptics::runtime {
 
-/// Motion of a wall: a sinusoid, a conveyor belt, or both. The default moves nothing.
+/// Motion of a wall: a sinusoid, a conveyor belt, or both; by default none.
 template <int D>
 struct wall_motion {
   point<D> amplitude = point<D>::Zero();      ///< Of the displacement [m].
   double frequency = 0;                       ///< Of the displacement [Hz].
-  point<D> belt_velocity = point<D>::Zero();  ///< Of the surface of a wall that stays in its place [m/s].
+  point<D> belt_velocity = point<D>::Zero();  ///< Velocity of the surface of a wall at rest [m/s].
 
   static constexpr const char* type_name = "a wall's motion";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = wall_motion;
     return member_table(member("amplitude", &p::amplitude, "m", range::finite),
                         member("frequency", &p::frequency, "Hz", range::not_negative),
                         member("belt_velocity", &p::belt_velocity, "m/s", range::finite));
   }
-  /// An amplitude has a frequency.
+  /// Requires a frequency for an amplitude.
   std::string rules() const {
     if (frequency > 0 || amplitude.isZero(0)) return {};
     return detail::error_text("frequency of a wall's motion [Hz]", frequency, "> 0 with an amplitude");
   }
 
-  /// amplitude sin(2 pi frequency time), at a time [s]: the place of the wall [m].
+  /// Displacement at a time [s]: amplitude sin(2 pi frequency time) [m].
   point<D> displacement(double time) const { return std::sin(rate() * time) * amplitude; }
   /// Velocity of the surface [m/s] at a time [s].
   point<D> velocity(double time) const {
@@ -45,18 +43,17 @@ struct wall_motion {
   double rate() const { return 2 * std::numbers::pi * frequency; }  // [rad/s]
 };
 
-/// A world, or a held_scene of one, with walls that move: before it is sensed they go where they are at that
-/// time. It neither allocates nor locks in a cycle.
+/// A world, or a held_scene of one, with walls that are placed before each sample. No allocation, no locks.
 template <class Scene>
 class scene_in_motion {
  public:
   static constexpr int dimension = Scene::dimension;    ///< d
-  using contacts_type = typename Scene::contacts_type;  ///< As of the scene.
+  using contacts_type = typename Scene::contacts_type;  ///< Contacts of the scene.
 
-  /// A wall of the scene by its number, and how it moves.
+  /// Number of a wall, and its motion.
   using numbered_motion = std::pair<int, wall_motion<dimension>>;
 
-  /// Moves these walls, which were added by world_walls::add_moving; others stay.
+  /// Moves these walls, added by world_walls::add_moving.
   scene_in_motion(Scene scene, std::vector<numbered_motion> motions)
       : scene_(std::move(scene)), motions_(std::move(motions)) {}
 
@@ -67,9 +64,9 @@ class scene_in_motion {
     if constexpr (requires { scene_.touched_at(x, time); }) return scene_.touched_at(x, time);
     else return scene_.touched_at(x);
   }
-  /// As of the scene.
+  /// As the scene.
   void set_margin(double margin) { scene_.set_margin(margin); }
-  /// As of the scene.
+  /// As the scene.
   void reset() { scene_.reset(); }
 
  private:

@@ -1,5 +1,4 @@
-/// @file
-/// What the end effector touches, as a value: all that a control step receives of a scene.
+/// Contacts of the end effector, the only input that a control step receives from a scene.
 #pragma once
 
 #include <passive_haptics/core/status.hpp>
@@ -19,25 +18,23 @@ namespace passive_haptics {
 template <int D>
 struct contact {
   point<D> normal = point<D>::UnitX();        ///< Unit vector out of the wall, base frame.
-  double depth = 0;                           ///< Penetration [m]; a wall demands no force unless it is > 0.
-  double stiffness = 0;                       ///< Of the wall [N/m].
-  point<D> wall_velocity = point<D>::Zero();  ///< Of the touched surface [m/s].
-  int wall_number = 0;                        ///< Which wall of the scene.
-  /// Where the end effector was when the wall was sensed [m], moved along with the wall since then. NaN until
-  /// it is set, which a law that reads it rejects.
+  double depth = 0;                           ///< Penetration [m]. Only a depth > 0 demands a force.
+  double stiffness = 0;                       ///< [N/m]
+  point<D> wall_velocity = point<D>::Zero();  ///< Velocity of the touched surface [m/s].
+  int wall_number = 0;                        ///< Index of the wall in the scene.
+  /// End effector when the wall was sensed [m], moved with the wall since then. NaN if unset.
   point<D> sensed_at = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());
-  /// Hessian H of the wall's distance [1/m]. Along the surface at velocity v, n . a = -v^T H v keeps the
-  /// depth. Zero for planes, and for shapes that do not provide their curvature.
+  /// Hessian H of the wall's distance [1/m]. Motion along the surface at velocity v keeps the depth if n . a
+  /// = -v^T H v. Zero for planes and for shapes that do not provide their curvature.
   matrix<double, D, D> curvature = matrix<double, D, D>::Zero();
 };
 
-/// The contact as the handle has it at x [m], carried there from where it was sensed: with u = x - sensed_at
-/// and l = sqrt(1 + |H u|^2),
+/// Returns the contact as seen from x [m], extrapolated from the position at which it was sensed. With u = x
+/// - sensed_at and l = sqrt(1 + |H u|^2),
 ///
 ///     normal = (n + H u) / l,   depth = depth_sensed - u . (n + H u / (1 + l)).
 ///
-/// This is right to second order, and exact on a circle or ball if u is along it. It changes nothing where
-/// the contact was sensed.
+/// The result is exact to second order, and exact for u along a circle or ball.
 template <int D>
 contact<D> carried_to(const point<D>& x, contact<D> c) {
   const point<D> moved = x - c.sensed_at, turn = c.curvature * moved;
@@ -48,7 +45,7 @@ contact<D> carried_to(const point<D>& x, contact<D> c) {
   return c;
 }
 
-/// Whether a direction has length 1, to 1e-6: a program that computes normals in float is that exact.
+/// True if a direction has length 1, to 1e-6 (the accuracy of normals computed in float).
 template <int D>
 bool is_unit(const point<D>& direction) {
   return std::abs(direction.squaredNorm() - 1) <= 2e-6;
@@ -56,32 +53,25 @@ bool is_unit(const point<D>& direction) {
 
 namespace detail {
 
-// Up to Capacity values of X; no allocation. Room that is not used costs nothing: no value is made there.
+// Up to Capacity values of X, without allocation. Unused elements are not constructed.
 template <class X, int Capacity>
 class static_vector {
   static_assert(std::is_trivially_destructible_v<X>);
 
  public:
-  // Empty.
   static_vector() {}
-  // A copy of each value.
   static_vector(const static_vector& other) { *this = other; }
-  // A copy of each value.
   static_vector& operator=(const static_vector& other) {
     size_ = other.size_;
     std::uninitialized_copy_n(other.data(), size_, data());
     return *this;
   }
 
-  // Adds a value. Fewer than Capacity must be there.
+  // Adds a value. Requires size() < Capacity.
   X& append(const X& x) { return *std::construct_at(data() + size_++, x); }
-  // Empties it.
   void clear() { size_ = 0; }
-  // How many values there are.
   int size() const { return size_; }
-  // The first value.
   const X* data() const { return items_.data(); }
-  // The first value, to change it.
   X* data() { return items_.data(); }
 
  private:
@@ -91,23 +81,19 @@ class static_vector {
   int size_ = 0;
 };
 
-// At most one value, which is made in advance: the optimiser sees through it, but not through a union.
+// At most one value, always constructed: the optimiser cannot see through a union.
 template <class X>
 class static_vector<X, 1> {
  public:
-  // Sets the value. None must be there.
+  // Sets the value. Requires size() == 0.
   X& append(const X& x) {
     item_ = x;
     size_ = 1;
     return item_;
   }
-  // Empties it.
   void clear() { size_ = 0; }
-  // 0 or 1.
   int size() const { return size_; }
-  // The value.
   const X* data() const { return &item_; }
-  // The value, to change it.
   X* data() { return &item_; }
 
  private:
@@ -117,16 +103,15 @@ class static_vector<X, 1> {
 
 }  // namespace detail
 
-/// Up to Capacity touched walls; no allocation.
+/// Up to Capacity contacts, without allocation.
 template <int D, int Capacity>
 class contacts {
  public:
   static constexpr int dimension = D;        ///< d
-  static constexpr int capacity = Capacity;  ///< Most contacts at once.
+  static constexpr int capacity = Capacity;  ///< Maximum number of contacts.
 
-  /// Adds a contact; false, and nothing added, if Capacity are there already. A contact whose normal is no
-  /// unit vector, or whose stiffness is negative, gets a NaN depth, so that a cycle ends with
-  /// status::contact_invalid.
+  /// Adds a contact; false if Capacity are there already. A normal that is not a unit vector, or a negative
+  /// stiffness, makes the depth NaN, so that the cycle ends with status::contact_invalid.
   bool push_back(const contact<D>& c) {
     if (items_.size() == Capacity) return false;
     contact<D>& added = items_.append(c);
@@ -134,60 +119,48 @@ class contacts {
     return true;
   }
 
-  /// Adds a contact whose normal is a unit vector and whose stiffness is not negative. Fewer than Capacity
-  /// must be there.
+  /// Adds a contact with a unit normal and a stiffness >= 0. Requires size() < Capacity.
   void append_unchecked(const contact<D>& c) { items_.append(c); }
 
-  /// Removes all.
-  void clear() { items_.clear(); }
+  void clear() { items_.clear(); }  ///< Removes all.
 
-  /// Number of contacts.
-  int size() const { return items_.size(); }
-  /// True in free space.
-  bool empty() const { return items_.size() == 0; }
+  int size() const { return items_.size(); }         ///< Number of contacts.
+  bool empty() const { return items_.size() == 0; }  ///< True in free space.
   /// Contact i, 0 <= i < size().
   const contact<D>& operator[](int i) const {
     assert(0 <= i && i < size());
-    if constexpr (Capacity == 1) return *items_.data();  // a constant, so that the optimiser sees through it
+    if constexpr (Capacity == 1) return *items_.data();  // a constant for the optimiser
     return items_.data()[i];
   }
-  /// First contact.
-  const contact<D>* begin() const { return items_.data(); }
-  /// One past the last contact.
-  const contact<D>* end() const { return items_.data() + items_.size(); }
-  /// First contact, to change it.
-  contact<D>* begin() { return items_.data(); }
-  /// One past the last contact.
-  contact<D>* end() { return items_.data() + items_.size(); }
+  const contact<D>* begin() const { return items_.data(); }                ///< First contact.
+  const contact<D>* end() const { return items_.data() + items_.size(); }  ///< One past the last contact.
+  contact<D>* begin() { return items_.data(); }                            ///< First contact.
+  contact<D>* end() { return items_.data() + items_.size(); }              ///< One past the last contact.
 
  private:
   detail::static_vector<contact<D>, Capacity> items_;
 };
 
-/// One of several walls, the only one that is touched: a view of its contact.
+/// A view of the only touched wall of a scene.
 template <int D>
 struct single_contact {
   static constexpr int dimension = D;  ///< d
-  static constexpr int capacity = 1;   ///< Contacts.
+  static constexpr int capacity = 1;   ///< Always 1.
   const contact<D>& only;              ///< The contact.
 
-  /// 1
-  constexpr int size() const { return 1; }
-  /// False.
-  constexpr bool empty() const { return false; }
-  /// The contact.
-  constexpr const contact<D>& operator[](int) const { return only; }
+  constexpr int size() const { return 1; }                            ///< Always 1.
+  constexpr bool empty() const { return false; }                      ///< Always false.
+  constexpr const contact<D>& operator[](int) const { return only; }  ///< The contact.
 };
 
-/// The contacts at x [m] of a scene that returns them by touched_at(x), or by touched_at(x, time) at a time
-/// [s].
+/// Returns the contacts at x [m] by scene.touched_at(x), or at a time [s] by scene.touched_at(x, time).
 template <class Scene, class... Time>
   requires requires(Scene& scene, point<Scene::dimension> x, Time... time) { scene.touched_at(x, time...); }
 decltype(auto) sense(Scene& scene, const point<Scene::dimension>& x, Time... time) {
   return scene.touched_at(x, time...);
 }
 
-/// The contacts at x [m], or at x and a time [s], of a scene that does not change, also of a temporary one.
+/// Overload for constant and temporary scenes.
 template <class Scene, class... Time>
   requires requires(const Scene& scene, point<Scene::dimension> x, Time... time) {
     scene.touched_at(x, time...);
@@ -196,20 +169,19 @@ auto sense(const Scene& scene, const point<Scene::dimension>& x, Time... time) {
   return scene.touched_at(x, time...);
 }
 
-/// A scene that can give contacts before the touch: `void set_margin(double margin)`, the distance off each
-/// wall from which on it gives them [m]; their depth is < 0 until the touch.
+/// A scene that can report contacts before the touch, with depth < 0. `void set_margin(double margin)` sets
+/// the distance from a wall at which it starts to do so [m].
 template <class S>
 concept SeesAhead = requires(S& scene, double margin) { scene.set_margin(margin); };
 
-/// Why the contacts of a scene cannot be displayed, such as status::scene_stale, by its scene_status(scene);
-/// status::ok for a scene without one.
+/// Returns scene_status(scene) if it exists, for example status::scene_stale, else status::ok.
 template <class S>
 status status_of(const S& scene) {
   if constexpr (requires { scene_status(scene); }) return scene_status(scene);
   else return status::ok;
 }
 
-/// The wall, where one is touched.
+/// Returns the first contact, which must exist.
 template <int D, int Capacity>
 single_contact<D> as_single(const contacts<D, Capacity>& touched) {
   return {touched[0]};

@@ -1,4 +1,3 @@
-/// @file
 /// A scene of walls known at compile time.
 #pragma once
 
@@ -9,33 +8,29 @@
 
 namespace passive_haptics {
 
-/// Fixed walls of any shapes and one dimension, made by scene(). Only the code for the shapes it names
-/// exists.
+/// A fixed set of walls with one dimension, made by scene().
 ///
-/// A contact is that of the nearest side of its wall. So a hand that is pressed beyond the middle of a thin
-/// wall comes out on the other side. At the seam of two walls side by side it sinks, because the nearest
-/// sides are those at the seam. A world holds in both cases.
+/// Contacts use the nearest side of each wall, so a hand pressed beyond the middle of a thin wall comes out
+/// on the other side, and it sinks in at the seam of two adjacent walls. A world handles both cases.
 template <class First, class... Rest>
 class static_scene {
  public:
   static constexpr int dimension = First::dimension;                        ///< d
-  static constexpr int wall_count = 1 + static_cast<int>(sizeof...(Rest));  ///< Walls, so most contacts.
+  static constexpr int wall_count = 1 + static_cast<int>(sizeof...(Rest));  ///< Number of walls.
   static_assert(((Rest::dimension == dimension) && ...),
                 "passive_haptics: all walls of a scene need the same dimension.");
   static_assert(
       Shape<First> && (Shape<Rest> && ...),
       "passive_haptics: a shape that is followed (TrackedShape) needs a world (scene/world/world.hpp).");
 
-  /// What sensing this scene gives.
-  using contacts_type = contacts<dimension, wall_count>;
+  using contacts_type = contacts<dimension, wall_count>;  ///< Type of the contacts.
 
-  /// The walls, in the order of their numbers.
+  /// The walls in the order of their numbers.
   explicit static_scene(wall<First> first, wall<Rest>... rest)
       : walls_(std::move(first), std::move(rest)...) {}
 
-  /// The walls touched at x [m] (distance < 0, or < margin after set_margin), each with the velocity of its
-  /// surface. A NaN in x gives a contact with a NaN depth, which the step reports. Cost: one distance for
-  /// each wall, one gradient for each contact.
+  /// Returns the walls touched at x [m] (distance < 0, or < margin after set_margin) with the velocities of
+  /// their surfaces. NaN in x gives a contact with a NaN depth, which the step reports.
   contacts_type touched_at(const point<dimension>& x) const {
     contacts_type touched;
     int number = 0;
@@ -51,7 +46,7 @@ class static_scene {
     return touched;
   }
 
-  /// Gives contacts from this distance [m] off each wall on, with a depth < 0 before the touch.
+  /// Reports contacts from this distance to each wall [m], with a depth < 0 before the touch.
   void set_margin(double margin) { margin_ = margin; }
 
   /// Calls f(number, wall) for each wall.
@@ -61,14 +56,14 @@ class static_scene {
     detail::for_each(walls_, [&](const auto& w) { f(number++, w); });
   }
 
-  /// Carries each shape that can be on for this time [s] (moving.hpp).
+  /// Extrapolates each moving shape by this time [s] (moving.hpp).
   void extrapolate(double seconds) {
     detail::for_each(walls_, [&](auto& w) {
       if constexpr (requires { w.shape.extrapolate(seconds); }) w.shape.extrapolate(seconds);
     });
   }
 
-  /// Wall Number, to move its shape between two cycles: `scene.template get<0>().shape.set_motion(...)`.
+  /// Returns wall Number, for example to move its shape: `scene.template get<0>().shape.set_motion(...)`.
   template <int Number>
   auto& get() {
     static_assert(0 <= Number && Number < wall_count,
@@ -81,14 +76,13 @@ class static_scene {
   double margin_ = 0;  // [m]
 };
 
-/// The scene of these walls, in the order of their numbers: `scene(wall(shape, stiffness), ...)`. (A
-/// function, as a class template here would read as the declaration of a function.)
+/// Makes a scene of walls, numbered in this order: `scene(wall(shape, stiffness), ...)`.
 template <class First, class... Rest>
 static_scene<First, Rest...> scene(wall<First> first, wall<Rest>... rest) {
   return static_scene<First, Rest...>(std::move(first), std::move(rest)...);
 }
 
-/// Not for what is no wall.
+/// Rejects arguments that are not walls.
 template <class... X>
   requires(!(detail::is_wall<X> && ...))
 auto scene(const X&...) {

@@ -1,4 +1,3 @@
-/// @file
 /// A virtual wall: a shape that resists.
 #pragma once
 
@@ -10,8 +9,8 @@
 
 namespace passive_haptics {
 
-/// A shape that resists with F = stiffness * depth along its gradient; frictionless. One with a tracker is
-/// for a world (scene/world/tracked_shape.hpp).
+/// A shape that resists with F = stiffness * depth along its gradient, without friction. Shapes with a
+/// tracker require a world (scene/world/tracked_shape.hpp).
 template <class S>
 class wall {
   static_assert(
@@ -20,21 +19,20 @@ class wall {
       "`double distance(x) const`, `point<dimension> gradient(x) const`.");
 
  public:
-  /// Throws std::invalid_argument if the stiffness [N/m] is negative or not finite; section 5.1: 1e7 N/m.
+  /// Throws std::invalid_argument if the stiffness [N/m] is negative or not finite. Section 5.1 uses 1e7 N/m.
   explicit wall(S geometry, double newton_per_metre = 1e7)
       : shape(std::move(geometry)), stiffness_(newton_per_metre) {
     require_valid(*this);
   }
-  /// Not in this order.
+  /// Rejects the wrong order of arguments.
   wall(double, const S& geometry) : shape(geometry), stiffness_(0) {
     static_assert(sizeof(S) == 0,
                   "passive_haptics: the arguments of a wall are (shape, stiffness), in this order.");
   }
   S shape;  ///< Geometry.
 
-  /// [N/m], >= 0 and finite.
-  double stiffness() const { return stiffness_; }
-  /// Another stiffness [N/m] between two cycles. False, and nothing changed, if it is negative or not finite.
+  double stiffness() const { return stiffness_; }  ///< [N/m], >= 0 and finite.
+  /// Sets the stiffness [N/m] between cycles; false without effect if it is negative or not finite.
   [[nodiscard]] bool set_stiffness(double newton_per_metre) {
     if (!range::not_negative.contains(newton_per_metre)) return false;
     stiffness_ = newton_per_metre;
@@ -42,7 +40,6 @@ class wall {
   }
 
   static constexpr const char* type_name = "a wall";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     return member_table(member("stiffness", &wall::stiffness_, "N/m", range::not_negative)
                             .remark_at_zero("the wall exerts no force"));
@@ -52,7 +49,7 @@ class wall {
   double stiffness_;
 };
 
-/// Not in this order: meets the message about it.
+/// For the error about the wrong order.
 template <class S>
 wall(double, S) -> wall<S>;
 
@@ -63,8 +60,7 @@ template <class S>
 inline constexpr bool is_wall<wall<S>> = true;
 }  // namespace detail
 
-/// The contact of a wall of this number at x [m], which is `distance` away. Where the gradient of a user's
-/// shape is no unit vector, the depth is NaN.
+/// Contact of a wall at x [m], at this `distance`. The depth is NaN if the gradient is not a unit vector.
 template <class S>
 contact<S::dimension> contact_of(const wall<S>& w, const point<S::dimension>& x, double distance) {
   const point<S::dimension> n = w.shape.gradient(x);

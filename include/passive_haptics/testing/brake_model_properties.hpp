@@ -1,12 +1,10 @@
-/// @file
-/// What every BrakeModel owes who simulates it, as a GoogleTest suite for any model.
+/// The laws of the BrakeModel concept as a GoogleTest suite for any model.
 ///
 /// A case has
 ///
 ///     using model = ...;                            // the model under test
-///     static model make();                          // one of it
-///     static constexpr double inverse_error = 0;    // of command_for, for the largest limit; where it has
-///     one
+///     static model make();                          // an instance
+///     static constexpr double inverse_error = 0;    // of an optional command_for, by the maximum limit
 #pragma once
 
 #include <passive_haptics/testing/support/brake_model_laws.hpp>
@@ -17,23 +15,23 @@
 
 namespace passive_haptics::testing {
 
-/// Suite of what a model owes who simulates it.
+/// Suite of a brake model's laws.
 template <class Case>
 class brake_model_properties : public ::testing::Test {
  protected:
   static_assert(is_brake_model<typename Case::model, explain>());
-  static constexpr std::uint64_t seed = 20040627;   ///< Of the commands.
+  static constexpr std::uint64_t seed = 20040627;   ///< Seed of the commands.
   const typename Case::model brake = Case::make();  ///< The model under test.
 };
 
 TYPED_TEST_SUITE_P(brake_model_properties);
 
-/// Never created over 1e6 random steps, and the torque within its limit.
+/// No energy is created over 1e6 random steps, and the torque stays within its limit.
 TYPED_TEST_P(brake_model_properties, takes_energy_alone_and_keeps_its_limit) {
   EXPECT_EQ(broken_energy_law(this->brake, this->seed, 1000000), "");
 }
 
-/// What no program should give a brake counts as what the concept says.
+/// Invalid input counts as the concept defines.
 TYPED_TEST_P(brake_model_properties, takes_any_command_time_step_and_rate) {
   EXPECT_EQ(broken_input_law(this->brake, this->seed), "");
 }
@@ -43,14 +41,14 @@ TYPED_TEST_P(brake_model_properties, half_the_time_step_is_half_the_error) {
   EXPECT_EQ(broken_time_step_law(this->brake, this->seed), "");
 }
 
-/// The inverse, where there is one, is as near as it says.
+/// command_for is as accurate as inverse_error.
 TYPED_TEST_P(brake_model_properties, the_inverse_ends_nearest) {
   if constexpr (InvertibleBrakeModel<typename TypeParam::model>) {
     EXPECT_EQ(broken_inverse_law(this->brake, this->seed, TypeParam::inverse_error), "");
   }
 }
 
-/// Its parameters are valid.
+/// Valid parameters.
 TYPED_TEST_P(brake_model_properties, parameters_are_valid) {
   if constexpr (Parameters<typename TypeParam::model>) {
     EXPECT_EQ(validate(this->brake), "");

@@ -1,19 +1,17 @@
-/// @file
-/// What every BrakePort owes its driver, as a GoogleTest suite for any port and a device, or something in its
-/// place.
+/// The laws of the BrakePort concept as a GoogleTest suite for any port and a device or its substitute.
 ///
 /// A case is default-constructible, and is the device:
 ///
 ///     using port = ...;                        // the port under test
-///     port make();                             // one to this device, not open
-///     port make_releasing();                   // one as a supervisor has it; it may be of another type
-///     std::string open(port&);                 // port.open(), while the device lives; of both types
-///     void live();                             // a millisecond: samples go out, currents arrive
-///     std::array<double, N> currents();        // what the brakes have [A]
+///     port make();                             // a port to this device, not open
+///     port make_releasing();                   // a port as of a supervisor; may be of another type
+///     std::string open(port&);                 // port.open(), while the device runs; for both types
+///     void live();                             // a millisecond: samples are sent, currents arrive
+///     std::array<double, N> currents();        // currents of the brakes [A]
 ///     static constexpr double resolution;      // of a current [A]
-///     static std::string missing();            // optional: why there can be no device here
+///     static std::string missing();            // optional: reason why there is no device
 ///
-/// Where a device is missing, the tests are skipped.
+/// Without a device the tests are skipped.
 #pragma once
 
 #include <passive_haptics/driver/clock.hpp>
@@ -29,31 +27,31 @@
 
 namespace passive_haptics::testing {
 
-/// Suite of what a port owes its driver.
+/// Suite of a port's laws.
 template <class Case>
 class brake_port_properties : public ::testing::Test {
  protected:
   static_assert(BrakePort<typename Case::port>);
   using port = typename Case::port;                    ///< The port.
   using currents = brake_currents<port::brake_count>;  ///< [A]
-  static constexpr int patience = 2000;  ///< Milliseconds of the device until something has happened.
+  static constexpr int patience = 2000;                ///< Maximum time for an event [ms].
 
   Case device;  ///< The device.
 
-  /// Skips the test where there can be no device.
+  /// Skips the test without a device.
   void SetUp() override {
     if constexpr (requires { Case::missing(); })
       if (const std::string why = Case::missing(); !why.empty()) GTEST_SKIP() << why;
   }
 
-  /// A different current for each brake, that any device takes.
+  /// A different current for each brake, accepted by any device.
   static currents some() {
     currents all{};
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = 0.02 + 0.01 * static_cast<double>(i);
     return all;
   }
 
-  /// Whether the brakes have these, within the resolution.
+  /// True if the brakes have these currents, within the resolution.
   bool have(const currents& wanted) {
     const auto got = device.currents();
     for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -61,7 +59,7 @@ class brake_port_properties : public ::testing::Test {
     return true;
   }
 
-  /// Lives until the brakes have these; `again` is done each millisecond before.
+  /// Runs until the brakes have these currents; calls `again` each millisecond.
   template <class Again>
   bool come_to(const currents& wanted, Again&& again) {
     for (int k = 0; k < patience && !have(wanted); ++k) {
@@ -71,7 +69,7 @@ class brake_port_properties : public ::testing::Test {
     return have(wanted);
   }
 
-  /// Writes currents until they are there, as a loop does.
+  /// Writes currents until they are applied, as a loop does.
   void hold(port& p) {
     port_sample<port::encoder_count> sample;
     ASSERT_TRUE(come_to(some(), [&] {
@@ -83,7 +81,7 @@ class brake_port_properties : public ::testing::Test {
 
 TYPED_TEST_SUITE_P(brake_port_properties);
 
-/// release() is harmless before open() and twice.
+/// release() may be called before open() and twice.
 TYPED_TEST_P(brake_port_properties, release_may_be_called_at_any_time) {
   auto p = this->device.make();
   p.release();
@@ -95,7 +93,7 @@ TYPED_TEST_P(brake_port_properties, release_may_be_called_at_any_time) {
   EXPECT_TRUE(this->come_to({}, [] {}));
 }
 
-/// Each ok sample has a new number and a time near now; the currents are 0 before anything is written.
+/// Each ok sample has a new number and a time near now; the currents are 0 before any write.
 TYPED_TEST_P(brake_port_properties, samples_go_on_in_sequence_and_in_time) {
   auto p = this->device.make();
   ASSERT_EQ(this->device.open(p), "");
@@ -120,8 +118,7 @@ TYPED_TEST_P(brake_port_properties, samples_go_on_in_sequence_and_in_time) {
   EXPECT_TRUE(this->have({}));
 }
 
-/// Currents come to the brakes they are for; release() takes them all back, and the port can be written to
-/// again.
+/// Currents reach their brakes; release() ends all of them, and the port can be written to again.
 TYPED_TEST_P(brake_port_properties, release_takes_all_currents_back) {
   auto p = this->device.make();
   ASSERT_EQ(this->device.open(p), "");
@@ -132,7 +129,7 @@ TYPED_TEST_P(brake_port_properties, release_takes_all_currents_back) {
   }
 }
 
-/// So does the end of the port.
+/// The destructor ends all currents.
 TYPED_TEST_P(brake_port_properties, the_destructor_takes_all_currents_back) {
   {
     auto p = this->device.make();
@@ -142,7 +139,7 @@ TYPED_TEST_P(brake_port_properties, the_destructor_takes_all_currents_back) {
   EXPECT_TRUE(this->come_to({}, [] {}));
 }
 
-/// A port that is moved is the same port; what it was moved from releases nothing.
+/// Moving a port has no effect on the device; the moved-from port releases nothing.
 TYPED_TEST_P(brake_port_properties, a_moved_port_is_the_same_port) {
   auto first = this->device.make();
   auto second = std::move(first);
@@ -154,7 +151,7 @@ TYPED_TEST_P(brake_port_properties, a_moved_port_is_the_same_port) {
   EXPECT_TRUE(this->come_to({}, [] {}));
 }
 
-/// A second port beside it, as a supervisor has, takes the currents back.
+/// A second port, as of a supervisor, ends the currents.
 TYPED_TEST_P(brake_port_properties, a_second_port_takes_all_currents_back) {
   auto watching = this->device.make_releasing();
   ASSERT_EQ(this->device.open(watching), "");
@@ -165,7 +162,7 @@ TYPED_TEST_P(brake_port_properties, a_second_port_takes_all_currents_back) {
   EXPECT_TRUE(this->come_to({}, [] {}));
 }
 
-/// It can give currents, too, in place of one whose process is dead (supervisor).
+/// A second port can also set currents, for a dead process (supervisor).
 TYPED_TEST_P(brake_port_properties, a_second_port_gives_currents) {
   auto watching = this->device.make_releasing();
   ASSERT_EQ(this->device.open(watching), "");

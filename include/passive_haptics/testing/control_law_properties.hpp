@@ -1,9 +1,6 @@
-/// @file
-/// What every control law owes its brakes, as a GoogleTest suite for any law on any mechanism.
+/// The laws of control laws as a GoogleTest suite for any law on any mechanism.
 ///
-/// A case is a law_case<MechanismCase, Law>, the first as in mechanism_properties.hpp, the second
-/// default-constructible. What a law makes of numbers that are not finite: fault_properties.hpp takes the
-/// same case.
+/// A case is a law_case<MechanismCase, Law>; fault_properties.hpp accepts the same case.
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>
@@ -21,17 +18,17 @@ struct law_case : MechanismCase {
   using law = Law;  ///< The law.
 };
 
-/// Suite of what a law owes its brakes.
+/// Suite of a law's properties.
 template <class Case>
 class control_law_properties : public ::testing::Test {
  protected:
   static_assert(ControlLaw<typename Case::law>);
   using model = typename Case::mechanism;          ///< The mechanism.
   using number = typename model::scalar;           ///< Its scalar.
-  using memory = step_memory<typename Case::law>;  ///< What a step under this law remembers.
-  static constexpr unsigned seed = 20040627;       ///< Of the samples.
+  using memory = step_memory<typename Case::law>;  ///< Memory of a step.
+  static constexpr unsigned seed = 20040627;       ///< Seed of the samples.
   static constexpr int m = model::brake_count;     ///< Brakes.
-  static constexpr int each = m <= 2 ? 100 : 20;   ///< Samples for each sign pattern.
+  static constexpr int each = m <= 2 ? 100 : 20;   ///< Samples per sign pattern.
 
   const model mechanism = Case::make();  ///< The mechanism under test.
 
@@ -44,7 +41,7 @@ class control_law_properties : public ::testing::Test {
                 step_options<number>());
   }
 
-  /// Each slipping brake takes power, one at rest holds against the hand; all within the limits, and finite.
+  /// Slipping brakes take power, brakes at rest hold against the hand; all finite and within limits.
   static void expect_passive(const step_result<model>& result, const step_sample<model>& sample,
                              const brake_vector<model>& w) {
     ASSERT_TRUE(all_finite(result.capacity, result.torque));
@@ -61,8 +58,7 @@ class control_law_properties : public ::testing::Test {
 
 TYPED_TEST_SUITE_P(control_law_properties);
 
-/// Never positive power, never over a limit, whatever the law remembers from the samples before; and some
-/// brakes work.
+/// Never positive power or torques above a limit, for any memory; some brakes work.
 TYPED_TEST_P(control_law_properties, brakes_never_drive_and_stay_within_their_limits) {
   using M = typename TestFixture::model;
   typename TestFixture::memory kept;

@@ -1,8 +1,7 @@
-/// @file
 /// The laws of the Dynamics concept as a GoogleTest suite for any model.
 ///
-/// The case is that of mechanism_properties.hpp; one whose bias torque includes gravity adds
-/// `static constexpr bool has_gravity = true;`.
+/// The case is that of mechanism_properties.hpp; add `static constexpr bool has_gravity = true;` if the bias
+/// torque includes gravity.
 #pragma once
 
 #include <passive_haptics/core/linear/cholesky.hpp>
@@ -17,7 +16,7 @@
 
 namespace passive_haptics::testing {
 
-/// Suite of a mechanism's dynamics; Case as described at the top of this file.
+/// Suite of a mechanism's dynamics.
 template <class Case>
 class dynamics_properties : public ::testing::Test {
  protected:
@@ -26,9 +25,9 @@ class dynamics_properties : public ::testing::Test {
   static_assert(Dynamics<model>,
                 "passive_haptics: dynamics_properties needs a mechanism that models Dynamics.");
 
-  static constexpr unsigned seed = 20040627;  ///< Of the motions.
+  static constexpr unsigned seed = 20040627;  ///< Seed of the motions.
 
-  /// True if c(q, 0) may be other than 0.
+  /// True if c(q, 0) may be nonzero.
   static constexpr bool has_gravity() {
     if constexpr (requires { Case::has_gravity; }) return Case::has_gravity;
     else return false;
@@ -36,7 +35,7 @@ class dynamics_properties : public ::testing::Test {
 
   const model mechanism = Case::make();  ///< The mechanism under test.
 
-  /// visit(q, qd) for random motions. Unit rates: all laws are homogeneous in qd.
+  /// visit(q, qd) for random motions with unit rates; all laws are homogeneous in qd.
   template <class Visit>
   void for_each_motion(Visit&& visit) const {
     random_source random(seed);
@@ -50,18 +49,18 @@ class dynamics_properties : public ::testing::Test {
     }
   }
 
-  /// Step of the differences along qd, short enough not to leave the bounds.
+  /// Step of the differences along qd that stays within the bounds.
   static number step() {
     return difference_step<number>() *
            std::min(number(1), number((Case::upper() - Case::lower()).minCoeff()) / number(4));
   }
 
-  /// Accuracy of the differences relative to the size of what is differentiated.
+  /// Relative accuracy of the differences.
   static number accuracy() {
     return number(64) * difference_accuracy<number>() * difference_step<number>() / step();
   }
 
-  /// J as a dense matrix.
+  /// Dense J.
   jacobian_matrix<model> dense_jacobian(const joint_vector<model>& q) const {
     return jacobian_matrix<model>(passive_haptics::jacobian(mechanism, q));
   }
@@ -106,8 +105,7 @@ TYPED_TEST_P(dynamics_properties, bias_acceleration_is_the_change_of_the_jacobia
   });
 }
 
-/// Inertial forces do no work of their own: qd . (Md qd / 2 - (c(q, qd) - c(q, 0))) = 0; without gravity c(q,
-/// 0) = 0.
+/// Inertial forces do no work: qd . (Md qd / 2 - (c(q, qd) - c(q, 0))) = 0; c(q, 0) = 0 without gravity.
 TYPED_TEST_P(dynamics_properties, bias_torque_keeps_the_kinetic_energy) {
   using M = typename TestFixture::model;
   using T = typename TestFixture::number;
@@ -121,7 +119,7 @@ TYPED_TEST_P(dynamics_properties, bias_torque_keeps_the_kinetic_energy) {
   });
 }
 
-/// c(q, qd) - c(q, 0) is what Lagrange's equations make of M: Md qd - grad(qd . M qd) / 2.
+/// c(q, qd) - c(q, 0) follows from M by Lagrange's equations: Md qd - grad(qd . M qd) / 2.
 TYPED_TEST_P(dynamics_properties, bias_torque_follows_from_the_mass_matrix) {
   using M = typename TestFixture::model;
   using T = typename TestFixture::number;
@@ -140,7 +138,7 @@ TYPED_TEST_P(dynamics_properties, bias_torque_follows_from_the_mass_matrix) {
   });
 }
 
-/// M, c and Jd qd of pose(q) are those of q, to rounding.
+/// M, c and Jd qd of pose(q) and q agree to rounding.
 TYPED_TEST_P(dynamics_properties, pose_has_the_dynamics_of_q) {
   using M = typename TestFixture::model;
   const auto tolerance = this->accuracy();

@@ -1,9 +1,7 @@
-/// @file
-/// What a control step makes of numbers that are not finite, or barely so, as a GoogleTest suite for any
-/// mechanism.
+/// Control steps with inputs that are not finite, or barely finite, as a GoogleTest suite for any mechanism.
 ///
-/// The case is that of mechanism_properties.hpp, or a law_case of control_law_properties.hpp for another law
-/// than the paper's two.
+/// The case is that of mechanism_properties.hpp, or a law_case of control_law_properties.hpp for laws other
+/// than the two of the paper.
 #pragma once
 
 #include <passive_haptics/control/direct_control.hpp>
@@ -20,14 +18,14 @@
 
 namespace passive_haptics::testing {
 
-/// Suite of a step's faults; Case as described in mechanism_properties.hpp.
+/// Suite of a step's faults.
 template <class Case>
 class fault_properties : public ::testing::Test {
  protected:
   using model = typename Case::mechanism;                       ///< The mechanism.
   using number = typename model::scalar;                        ///< Its scalar.
-  static constexpr unsigned seed = 20040627;                    ///< Of the samples.
-  static constexpr int each = model::brake_count <= 2 ? 8 : 1;  ///< Samples for each sign pattern.
+  static constexpr unsigned seed = 20040627;                    ///< Seed of the samples.
+  static constexpr int each = model::brake_count <= 2 ? 8 : 1;  ///< Samples per sign pattern.
 
   const model mechanism = Case::make();  ///< The mechanism under test.
 
@@ -50,14 +48,13 @@ class fault_properties : public ::testing::Test {
     }
   }
 
-  /// False for a TorqueLaw: the force that its largest torques make may be no number any more.
+  /// False for a TorqueLaw, for which the force of maximum torques may overflow.
   static constexpr bool scales() {
     if constexpr (requires { typename Case::law; }) return ScalingLaw<typename Case::law>;
     else return true;
   }
 
-  /// visit(run, sample, wall) for samples with every number in turn replaced by each of `spoilers`, and the
-  /// name of that number in the trace.
+  /// visit(run, sample, wall) with each number in turn replaced by each of `spoilers`, named in the trace.
   template <class Visit>
   void for_each_spoiled(std::initializer_list<double> spoilers, Visit&& visit) const {
     for_each_sample<Case>(mechanism, seed, each, [&](step_sample<model> sample) {
@@ -77,7 +74,7 @@ class fault_properties : public ::testing::Test {
 
 TYPED_TEST_SUITE_P(fault_properties);
 
-/// NaN or infinity in any single number of any input gives a status, and exactly no capacity and no torque.
+/// NaN or infinity in any input gives an error status, and exactly zero capacity and torque.
 TYPED_TEST_P(fault_properties, a_number_that_is_not_finite_releases_the_brakes) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   this->for_each_spoiled({std::numeric_limits<double>::quiet_NaN(), infinity, -infinity},
@@ -88,7 +85,7 @@ TYPED_TEST_P(fault_properties, a_number_that_is_not_finite_releases_the_brakes) 
                          });
 }
 
-/// Brake lags are not read by laws that do not need them; and some sample makes a brake work.
+/// Laws that do not need brake lags do not read them; some brakes work.
 TYPED_TEST_P(fault_properties, what_a_law_does_not_need_is_not_read) {
   using M = typename TestFixture::model;
   int working = 0;
@@ -106,8 +103,7 @@ TYPED_TEST_P(fault_properties, what_a_law_does_not_need_is_not_read) {
   EXPECT_GT(working, 0) << "no sample made a brake work";
 }
 
-/// Zero, denormal, and barely finite numbers in any single input give finite torques within the limits, of
-/// passive sign; where a step gives up, a status and none.
+/// Zero, denormal, and barely finite inputs give finite passive torques within limits, or an error status.
 TYPED_TEST_P(fault_properties, finite_input_gives_finite_output) {
   using T = typename TestFixture::number;
   constexpr double largest = static_cast<double>(std::numeric_limits<T>::max());

@@ -1,9 +1,6 @@
-/// @file
-/// How long one control cycle takes, state in, capacities out: rows for Google Benchmark, in one line for any
-/// controller.
+/// Latency of one control cycle of any controller, as rows for Google Benchmark.
 ///
-/// Needs Google Benchmark: link benchmark::benchmark, or benchmark::benchmark_main and call it from an
-/// initialiser.
+/// Link benchmark::benchmark, or benchmark::benchmark_main and call it from an initialiser.
 #pragma once
 
 #include <passive_haptics/control/controller.hpp>
@@ -21,37 +18,33 @@
 
 namespace passive_haptics::testing {
 
-/// How many cycles are timed one by one, for the percentiles.
+/// Numbers of individually timed cycles, for percentiles.
 struct latency_options {
-  int hot_samples = 10'000;  ///< In the rows hot and chain.
-  /// In the row cold; each costs an eviction, some milliseconds for a cache of 32 MB.
-  int cold_samples = 1000;
+  int hot_samples = 10'000;  ///< Rows hot and chain.
+  int cold_samples = 1000;   ///< Row cold; each costs an eviction, some milliseconds for a cache of 32 MB.
 };
 
 namespace detail {
 
-/// [ns]
 inline double nanoseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What reading the clock itself takes [ns].
 inline double clock_cost() {
   std::vector<double> samples(1000);
   for (double& sample : samples) sample = nanoseconds_since(std::chrono::steady_clock::now());
   return percentile(sorted(std::move(samples)), 0.5);
 }
 
-/// Time of one call [ns], less that of reading the clock.
 template <class Call>
 double time_of(Call&& call, double clock) {
-  std::chrono::steady_clock::now();  // its own code is not part of the cold cycle
+  std::chrono::steady_clock::now();  // loads its code, which is not part of the cold cycle
   const auto start = std::chrono::steady_clock::now();
   call();
   return std::max(0.0, nanoseconds_since(start) - clock);
 }
 
-/// Puts p50, p99, p99.9 and max of these samples [ns] beside the row.
+/// Adds p50, p99, p99.9 and max of these samples [ns] to the row.
 inline void report_percentiles(benchmark::State& run, std::vector<double> samples) {
   const auto ascending = sorted(std::move(samples));
   run.counters["p50_ns"] = percentile(ascending, 0.5);
@@ -60,13 +53,11 @@ inline void report_percentiles(benchmark::State& run, std::vector<double> sample
   run.counters["max_ns"] = ascending.back();
 }
 
-/// Reads twice as much memory as the largest cache holds, so that neither data nor TLB entries stay, nor code
-/// as far as outer caches include inner ones.
+/// Reads twice the size of the largest cache, which evicts data, TLB entries and mostly code.
 class cache_eviction {
  public:
   cache_eviction() : other_(2 * std::max(max_cache_size(), min_size) / sizeof(std::uint64_t), 1) {}
 
-  /// Reads it.
   void operator()() const {
     constexpr std::size_t line = 64 / sizeof(std::uint64_t);
     std::uint64_t sum = 0;
@@ -75,7 +66,7 @@ class cache_eviction {
   }
 
  private:
-  static constexpr std::size_t min_size = 1u << 22;  // where the machine does not report its caches [byte]
+  static constexpr std::size_t min_size = 1u << 22;  // if the machine does not report its caches [byte]
   static std::size_t max_cache_size() {
     int largest = 0;
     for (const auto& cache : benchmark::CPUInfo::Get().caches) largest = std::max(largest, cache.size);
@@ -84,28 +75,23 @@ class cache_eviction {
   std::vector<std::uint64_t> other_;
 };
 
-/// A controller, the states it is given, and what is measured of them.
 template <class M, class S, class L, class State>
 class measured_loop {
  public:
-  /// Of these states, none faulty.
   measured_loop(const controller<M, S, L>& control, std::vector<State> states, const latency_options& options)
       : control_(control), states_(std::move(states)), options_(options) {}
 
-  /// Independent cycles: the time of a row is that of one cycle among many.
   void hot(benchmark::State& run) {
     warm(run, [](State&, const auto&) {});
   }
 
-  /// Each state waits for the capacities of the cycle before: the time is that from one end to the other.
   void chain(benchmark::State& run) {
     warm(run, [](State& state, const brake_vector<M>& capacity) {
-      // Adds nothing, yet the compiler cannot know. In place: a copy would wait for its parts to be stored
+      // Adds 0, which the compiler cannot know. In place: a copy would wait for its parts to be stored
       state.q.array() += typename M::scalar(0) * capacity.sum();
     });
   }
 
-  /// Nothing of a cycle is in a cache when it begins.
   void cold(benchmark::State& run) {
     if (faulty(run)) return;
     static const cache_eviction evict;
@@ -141,17 +127,17 @@ class measured_loop {
 
   brake_vector<M> cycle(State& state) {
     auto result = decide(state);
-    benchmark::DoNotOptimize(result);  // all of it: a loop may log any part
+    benchmark::DoNotOptimize(result);  // all of it, as a loop may log any part
     return result.capacity;
   }
 
-  /// States come round and round: their time is made to rise where the law uses time differences.
+  /// Increasing times for laws that use time differences.
   auto decide(State& state) {
     if constexpr (needs_rising_time<L>) state.time = time_ += 1e-3;
     return control_(state);
   }
 
-  /// A cycle that ends with a fault ends early: its time would mislead.
+  /// Rejects states with faults, since such cycles end early.
   bool faulty(benchmark::State& run) {
     for (std::size_t k = 0; k < states_.size(); ++k) {
       if (const status s = decide(states_[k]).outcome; s != status::ok) {
@@ -174,21 +160,17 @@ class measured_loop {
 
 }  // namespace detail
 
-/// Registers three rows with Google Benchmark that time control(state) over the given states, one after the
-/// other, round and round. Call it before benchmark::RunSpecifiedBenchmarks.
+/// Registers three rows with Google Benchmark that time control(state) cyclically over the given states. Call
+/// it before benchmark::RunSpecifiedBenchmarks.
 ///
-///   - name/hot: independent cycles, as fast as they come (throughput);
-///   - name/chain: each state waits for the capacities of the cycle before (latency). In free space the
-///     capacities are known beforehand, so there both are alike;
-///   - name/cold: all caches evicted before each cycle, as in a loop that wakes up once a millisecond.
+///   - name/hot: independent cycles (throughput);
+///   - name/chain: each state depends on the capacities of the previous cycle (latency);
+///   - name/cold: all caches evicted before each cycle, as in a loop that wakes up once per millisecond.
 ///
-/// Each row has p50_ns, p99_ns, p99.9_ns and max_ns of cycles that are timed one by one, less what the clock
-/// takes, in steps of the clock (some 10 ns). Give some 16 000 states of the kind that matters (in contact,
-/// free), in random order: the branch predictor learns fewer. A state that gives a fault fails its row. A law
-/// that uses time differences (needs_rising_time) gets a time that rises by 1 ms a cycle instead of the
-/// states'. Rows compare within one run; the machine's load slows all of them, CPU times least.
-///
-/// Errors: std::invalid_argument without states or samples. Memory: twice the largest cache.
+/// Each row has p50_ns, p99_ns, p99.9_ns and max_ns of individually timed cycles. Use about 16 000 states of
+/// one kind (in contact, free) in random order, which the branch predictor cannot learn. A state with a fault
+/// fails its row. Laws that use time differences (needs_rising_time) get increasing times. Compare rows only
+/// within one run. Throws std::invalid_argument without states or samples. Memory: twice the largest cache.
 template <class M, class S, class L, class State>
 void latency_of(const std::string& name, const controller<M, S, L>& control, std::vector<State> states,
                 const latency_options& options = {}) {
@@ -201,7 +183,7 @@ void latency_of(const std::string& name, const controller<M, S, L>& control, std
                                   " samples; give at least one");
   }
   using loop = detail::measured_loop<M, S, L, State>;
-  // Each row has its own copy, so no row sees another's memory
+  // Each row has its own copy, hence its own memory
   const loop measured(control, std::move(states), options);
   benchmark::RegisterBenchmark((name + "/hot").c_str(),
                                [=](benchmark::State& run) { loop(measured).hot(run); });

@@ -1,7 +1,6 @@
-/// @file
 /// The laws of the Mechanism concept as a GoogleTest suite for any model.
 ///
-/// A case names the mechanism, makes one and bounds the poses that are tried (lower < upper in each joint):
+/// A case defines the mechanism, an instance, and bounds of the tested poses (lower < upper in each joint):
 ///
 ///     struct my_case {
 ///       using mechanism = my_arm<double>;
@@ -12,10 +11,8 @@
 ///     using namespace passive_haptics::testing;
 ///     INSTANTIATE_TYPED_TEST_SUITE_P(my_arm, mechanism_properties, my_case);
 ///
-/// One case serves dynamics_properties and step_properties. Poses with J singular are welcome; poses
-/// where J does not exist are not. Cost: some thousand evaluations of position and jacobian.
-///
-/// The suite prints the optional members that it found. Look for yours: a misspelt one counts as absent.
+/// It also serves dynamics_properties and step_properties. Poses with singular J are allowed; poses without J
+/// are not. The suite prints the detected optional members: a misspelt one is missing there.
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
@@ -34,23 +31,23 @@
 
 namespace passive_haptics::testing {
 
-/// True where position is templated on the scalar, so that a reference in higher precision can be had.
+/// True if position is templated on the scalar, which allows a reference in higher precision.
 template <class M>
 concept PositionTakesLongDouble = requires(const M mechanism, const vector<long double, M::dof> q) {
   { mechanism.position(q) } -> ExactVector<long double, M::task_dimension>;
 };
 
-/// Suite of a mechanism's laws; Case as described at the top of this file.
+/// Suite of a mechanism's laws.
 template <class Case>
 class mechanism_properties : public ::testing::Test {
  protected:
   using model = typename Case::mechanism;  ///< The mechanism.
   using number = typename model::scalar;   ///< Its scalar.
 
-  static constexpr int pose_count = 200;      ///< Poses that are tried.
-  static constexpr unsigned seed = 20040627;  ///< Of the poses.
+  static constexpr int pose_count = 200;      ///< Number of tested poses.
+  static constexpr unsigned seed = 20040627;  ///< Seed of the poses.
 
-  /// Scalar of the reference derivative: long double where position takes it.
+  /// Scalar of the reference derivative: long double if position accepts it.
   using reference_scalar = std::conditional_t<PositionTakesLongDouble<model>, long double, number>;
 
   /// Step of the differences in joint i.
@@ -80,13 +77,13 @@ class mechanism_properties : public ::testing::Test {
     }
   }
 
-  /// Largest magnitude of an entry; NaN if one is NaN.
+  /// Maximum magnitude of an entry; NaN if one is NaN.
   template <class Expression>
   static auto max_entry(const Expression& A) {
     return A.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
   }
 
-  /// |T| |T^+|, at least the condition of the transmission; 1 without one, NaN if rank is lost.
+  /// |T| |T^+|, an upper bound of the condition of the transmission; 1 without one, NaN for deficient rank.
   number transmission_condition(const joint_vector<model>& q) const {
     if constexpr (passive_haptics::detail::has_exact_transmission<model>) {
       const transmission_matrix<model> A(passive_haptics::transmission(mechanism, q));
@@ -96,7 +93,7 @@ class mechanism_properties : public ::testing::Test {
     }
   }
 
-  /// Random joint rates; with fewer brakes than joints those at which the other joints rest, T^+ T qd.
+  /// Random joint rates; with fewer brakes than joints, T^+ T qd, at which the other joints rest.
   joint_vector<model> braked_rates(const joint_vector<model>& q, random_source& random) const {
     joint_vector<model> qd = random.normal_vector<number, model::dof>();
     if constexpr (model::brake_count < model::dof) {
@@ -117,12 +114,12 @@ class mechanism_properties : public ::testing::Test {
     return central_difference(along, step(i));
   }
 
-  /// J as a dense matrix.
+  /// Dense J.
   jacobian_matrix<model> dense_jacobian(const joint_vector<model>& q) const {
     return jacobian_matrix<model>(passive_haptics::jacobian(mechanism, q));
   }
 
-  /// Largest entry of position and of J over all poses: what rounding errors are relative to.
+  /// Maximum entry of position and J over all poses, the scale of rounding errors.
   number size() const {
     number size = number(0);
     for_each_pose([&](const joint_vector<model>& q) {
@@ -132,7 +129,7 @@ class mechanism_properties : public ::testing::Test {
     return size;
   }
 
-  /// Rounding of position and of J at q, both of this size.
+  /// Rounding of position and J at q for this size.
   static number rounding_at(const joint_vector<model>& q, number size) {
     return rounding_tolerance<number>(4) * (number(1) + max_entry(q)) * size;
   }
@@ -140,7 +137,7 @@ class mechanism_properties : public ::testing::Test {
 
 TYPED_TEST_SUITE_P(mechanism_properties);
 
-/// Finite q gives a finite position, the same one each time.
+/// Finite q gives a finite and reproducible position.
 TYPED_TEST_P(mechanism_properties, position_is_finite_and_pure) {
   using M = typename TestFixture::model;
   std::vector<task_vector<M>> first;
@@ -155,8 +152,8 @@ TYPED_TEST_P(mechanism_properties, position_is_finite_and_pure) {
   });
 }
 
-/// J is the derivative of position and pure. Against differences of sixth order, in long double if position
-/// takes it: then the tolerance is rounding alone, else what such differences can resolve, eps^(6/7).
+/// J is pure and the derivative of position, by differences of sixth order. In long double, if position
+/// accepts it, the tolerance is rounding; else eps^(6/7), the resolution of such differences.
 TYPED_TEST_P(mechanism_properties, jacobian_is_the_derivative_of_position) {
   using M = typename TestFixture::model;
   using P = typename TestFixture::reference_scalar;
@@ -175,8 +172,7 @@ TYPED_TEST_P(mechanism_properties, jacobian_is_the_derivative_of_position) {
   });
 }
 
-/// A Jacobian that the mechanism gives is that of automatic differentiation, where there are both; where
-/// there is one, jacobian() returns it.
+/// The mechanism's Jacobian equals the automatic one; jacobian() returns the one that exists.
 TYPED_TEST_P(mechanism_properties, given_and_automatic_jacobian_agree) {
   using M = typename TestFixture::model;
   const auto size = this->size();
@@ -190,7 +186,7 @@ TYPED_TEST_P(mechanism_properties, given_and_automatic_jacobian_agree) {
   });
 }
 
-/// position and jacobian of pose(q) are those of q, to rounding; without a pose of its own, q is the pose.
+/// position and jacobian of pose(q) and q agree to rounding; without a pose type, q is the pose.
 TYPED_TEST_P(mechanism_properties, pose_has_the_position_and_jacobian_of_q) {
   using M = typename TestFixture::model;
   const auto size = this->size();
@@ -203,8 +199,7 @@ TYPED_TEST_P(mechanism_properties, pose_has_the_position_and_jacobian_of_q) {
   });
 }
 
-/// T has full rank, and E = J T^+ maps the rates of the brakes to the velocity, v = E w, while joints without
-/// a brake rest.
+/// T has full rank, and v = E w with E = J T^+ while joints without a brake rest.
 TYPED_TEST_P(mechanism_properties, brake_jacobian_maps_brake_rates_to_velocity) {
   using M = typename TestFixture::model;
   using T = typename TestFixture::number;
@@ -219,8 +214,7 @@ TYPED_TEST_P(mechanism_properties, brake_jacobian_maps_brake_rates_to_velocity) 
   });
 }
 
-/// Virtual work: torques t = E^T F do at the brakes what F does at the end effector, t . w = F . v, while
-/// joints without a brake rest.
+/// Virtual work: t = E^T F does the work of F, t . w = F . v, while joints without a brake rest.
 TYPED_TEST_P(mechanism_properties, brake_torques_do_the_work_of_the_force) {
   using M = typename TestFixture::model;
   using T = typename TestFixture::number;

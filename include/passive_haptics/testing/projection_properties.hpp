@@ -1,9 +1,7 @@
-/// @file
 /// The laws of the nearest displayable force as a GoogleTest suite for any mechanism.
 ///
-/// The case is that of mechanism_properties.hpp. With C the cone of displayable forces, B = [s_i E e_i] and F
-/// = Fp + B mu (Moreau). All bounds are rounding of the terms |b_i| mu_i that were summed, which grow where
-/// columns of E are nearly dependent; feasibility has no such factor.
+/// The case is that of mechanism_properties.hpp. With the cone C of displayable forces, B = [s_i E e_i] and F
+/// = Fp + B mu (Moreau). Bounds are rounding of the terms |b_i| mu_i.
 #pragma once
 
 #include <passive_haptics/core/linear/cone.hpp>
@@ -14,20 +12,20 @@
 
 namespace passive_haptics::testing {
 
-/// Suite of the nearest force; Case as described in mechanism_properties.hpp.
+/// Suite of the nearest force.
 template <class Case>
 class projection_properties : public ::testing::Test {
  protected:
   using model = typename Case::mechanism;                          ///< The mechanism.
   using number = typename model::scalar;                           ///< Its scalar.
-  static constexpr unsigned seed = 20040627;                       ///< Of the samples.
-  static constexpr int each = model::brake_count <= 2 ? 300 : 40;  ///< Samples for each sign pattern.
+  static constexpr unsigned seed = 20040627;                       ///< Seed of the samples.
+  static constexpr int each = model::brake_count <= 2 ? 300 : 40;  ///< Samples per sign pattern.
   static constexpr number tolerance =
-      rounding_tolerance<number>(4 * model::task_dimension);  ///< Of a unit force.
+      rounding_tolerance<number>(4 * model::task_dimension);  ///< For a unit force.
   using half_spaces = brake_matrix<model>;                    ///< B
   using force = task_vector<model>;                           ///< F
 
-  /// Sum of |b_i| mu_i: the terms that add up to F - Fp.
+  /// Sum of |b_i| mu_i, the terms that add up to F - Fp.
   static number terms(const half_spaces& B, const brake_vector<model>& mu) {
     return B.colwise().norm().dot(mu.transpose());
   }
@@ -55,7 +53,7 @@ class projection_properties : public ::testing::Test {
 
 TYPED_TEST_SUITE_P(projection_properties);
 
-/// Fp is in C: B^T Fp <= 0 to rounding of each product alone, and mu >= 0.
+/// Fp is in C: B^T Fp <= 0 to rounding of each product, and mu >= 0.
 TYPED_TEST_P(projection_properties, nearest_force_is_displayable) {
   this->for_each_problem([&](const auto& B, const auto& F) {
     const auto p = project_onto_half_spaces(B, F);
@@ -76,7 +74,7 @@ TYPED_TEST_P(projection_properties, force_splits_into_orthogonal_parts) {
   });
 }
 
-/// What is cut off lies in the polar cone: (F - Fp) . x <= 0 for every x in C.
+/// The residual is in the polar cone: (F - Fp) . x <= 0 for every x in C.
 TYPED_TEST_P(projection_properties, residual_is_in_the_polar_cone) {
   using T = typename TestFixture::number;
   random_source random(this->seed + 1);
@@ -99,7 +97,7 @@ TYPED_TEST_P(projection_properties, projection_is_idempotent) {
   });
 }
 
-/// Twice the force has twice the nearest force; scaling by powers of two is exact.
+/// Positive homogeneity; scaling by powers of two is exact.
 TYPED_TEST_P(projection_properties, projection_is_positively_homogeneous) {
   using T = typename TestFixture::number;
   this->for_each_problem([&](const auto& B, const auto& F) {
@@ -114,8 +112,7 @@ TYPED_TEST_P(projection_properties, projection_is_positively_homogeneous) {
   });
 }
 
-/// nearest_force is this projection for the mechanism's own E, dense or diagonal; with all s_i = 0 it is F
-/// itself.
+/// nearest_force is this projection for the mechanism's E, dense or diagonal; it is F if all s_i = 0.
 TYPED_TEST_P(projection_properties, nearest_force_is_the_projection) {
   using T = typename TestFixture::number;
   using M = typename TestFixture::model;

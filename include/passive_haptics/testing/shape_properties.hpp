@@ -1,4 +1,3 @@
-/// @file
 /// The laws of the Shape concept as a GoogleTest suite for any model.
 ///
 ///     struct my_case {
@@ -22,7 +21,7 @@
 
 namespace passive_haptics::testing {
 
-/// Suite of a shape's laws; Case as described at the top of this file.
+/// Suite of a shape's laws.
 template <class Case>
 class shape_properties : public ::testing::Test {
  protected:
@@ -30,8 +29,8 @@ class shape_properties : public ::testing::Test {
   static_assert(Shape<shape_type>,
                 "passive_haptics: shape_properties needs a model of Shape (scene/shape.hpp).");
 
-  static constexpr int point_count = 1000;    ///< Points that are tried.
-  static constexpr unsigned seed = 20040627;  ///< Of the points.
+  static constexpr int point_count = 1000;    ///< Number of tested points.
+  static constexpr unsigned seed = 20040627;  ///< Seed of the points.
 
   static constexpr int dimension = shape_type::dimension;  ///< d
   const shape_type shape = Case::make();                   ///< The shape under test.
@@ -51,7 +50,7 @@ class shape_properties : public ::testing::Test {
   static double size() { return Case::lower().norm() + Case::upper().norm() + 1; }
   /// Rounding of a distance between points of the box [m].
   static double rounding() { return rounding_tolerance<double>(dimension) * size(); }
-  /// Step of the differences [m], short by the box.
+  /// Step of the differences [m], limited by the box.
   static double step() {
     return difference_step<double>() * std::min(1.0, (Case::upper() - Case::lower()).minCoeff() / 8);
   }
@@ -59,7 +58,7 @@ class shape_properties : public ::testing::Test {
 
 TYPED_TEST_SUITE_P(shape_properties);
 
-/// |distance(x) - distance(y)| <= |x - y|, for far and for near points.
+/// |distance(x) - distance(y)| <= |x - y|, for distant and nearby points.
 TYPED_TEST_P(shape_properties, distance_is_1_lipschitz) {
   constexpr int d = TestFixture::dimension;
   this->for_each_point([&](const point<d>& x, random_source& random) {
@@ -80,8 +79,8 @@ TYPED_TEST_P(shape_properties, gradient_is_a_unit_vector) {
   });
 }
 
-/// The gradient is the derivative of the distance, along every axis. Points where differences with two steps
-/// disagree are left out (a kink lies between them); that may be one in ten.
+/// The gradient is the derivative of the distance along each axis. Points at which differences with two steps
+/// disagree, because of a kink between them, are left out; at most one in ten.
 TYPED_TEST_P(shape_properties, gradient_is_the_derivative_of_distance) {
   constexpr int d = TestFixture::dimension;
   const double h = this->step();
@@ -99,8 +98,8 @@ TYPED_TEST_P(shape_properties, gradient_is_the_derivative_of_distance) {
   ASSERT_GE(smooth, this->point_count * d * 9 / 10);
 }
 
-/// The Hessian of a shape that provides it is the derivative of the gradient, is symmetric and has the
-/// gradient in its null space. Points where differences with two steps disagree are left out.
+/// An optional Hessian is the derivative of the gradient, symmetric, with the gradient in its null space.
+/// Points at which differences with two steps disagree are left out.
 TYPED_TEST_P(shape_properties, hessian_is_the_derivative_of_the_gradient) {
   constexpr int d = TestFixture::dimension;
   if constexpr (CurvedShape<typename TypeParam::shape>) {

@@ -1,8 +1,7 @@
-/// @file
 /// The laws of a control step as a GoogleTest suite for any mechanism.
 ///
-/// The case is that of mechanism_properties.hpp. Every law is tried over random poses, rates, walls and hands
-/// for each of the 3^m patterns of brakes that turn one way, the other way, or are at rest.
+/// The case is that of mechanism_properties.hpp. Each law is tested for random poses, rates, walls and hands,
+/// for each of the 3^m patterns of brakes that rotate either way or are at rest.
 #pragma once
 
 #include <passive_haptics/control/direct_control.hpp>
@@ -13,20 +12,20 @@
 
 namespace passive_haptics::testing {
 
-/// Suite of a step's laws; Case as described in mechanism_properties.hpp.
+/// Suite of a step's laws.
 template <class Case>
 class step_properties : public ::testing::Test {
  protected:
   using model = typename Case::mechanism;          ///< The mechanism.
   using number = typename model::scalar;           ///< Its scalar.
-  static constexpr int d = model::task_dimension;  ///< Task dimension.
-  static constexpr unsigned seed = 20040627;       ///< Of the samples.
-  /// Samples for each sign pattern: a few thousand in all.
+  static constexpr int d = model::task_dimension;  ///< d
+  static constexpr unsigned seed = 20040627;       ///< Seed of the samples.
+  /// Samples per sign pattern, a few thousand in total.
   static constexpr int each = model::brake_count <= 2 ? 300 : (model::brake_count <= 4 ? 60 : 3);
 
   const model mechanism = Case::make();  ///< The mechanism under test.
 
-  /// One step with a fresh memory.
+  /// One step with a new memory.
   template <class L>
   step_result<model> run(const step_sample<model>& sample,
                          saturation policy = saturation::keep_direction) const {
@@ -35,7 +34,7 @@ class step_properties : public ::testing::Test {
                 step_options<number>({}, policy));
   }
 
-  /// The sample in words, for a failure.
+  /// Description of the sample for a failure.
   static ::testing::Message describe(const step_sample<model>& sample) {
     return ::testing::Message() << "seed " << seed << ", q = " << sample.state.q.transpose()
                                 << ", qd = " << sample.state.qd.transpose()
@@ -44,13 +43,13 @@ class step_properties : public ::testing::Test {
                                 << ", depth = " << sample.wall().depth;
   }
 
-  /// The signs by which a force was found: s*, or s where no self-motion settles.
+  /// Signs of the force's cone: s* if a self-motion settles, else s.
   static const brake_vector<model>& signs_of_cone(const step_result<model>& result) {
     if constexpr (Settles<model>) return result.settled_signs;
     else return result.signs;
   }
 
-  /// visit(sample, result) for every sample under both laws and both ways to saturate.
+  /// visit(sample, result) for each sample, law and saturation policy.
   template <class Visit>
   void for_each_step(Visit&& visit) const {
     for_each_sample<Case>(mechanism, seed, each, [&](const step_sample<model>& sample) {
@@ -66,9 +65,9 @@ class step_properties : public ::testing::Test {
 
 TYPED_TEST_SUITE_P(step_properties);
 
-/// s_i t_i <= 0 exactly, for the predicted torques and for those of the approximated force; for these by the
-/// settled signs s* where a self-motion settles. So each slipping brake takes power, exactly; one inside its
-/// dead band, whose sign the hand set, gives at most |t_i| times the dead band.
+/// s_i t_i <= 0 exactly, for predicted torques and those of the approximated force (with the settled signs s*
+/// if a self-motion settles). Slipping brakes take power exactly; a brake inside its dead band, with the sign
+/// of the hand force, gives at most |t_i| times the dead band.
 TYPED_TEST_P(step_properties, brakes_never_drive) {
   using T = typename TestFixture::number;
   int working = 0;
@@ -91,7 +90,7 @@ TYPED_TEST_P(step_properties, brakes_never_drive) {
   EXPECT_GT(working, 0) << "no sample made a brake work";
 }
 
-/// 0 <= capacity_i <= limit_i exactly, and no brake is predicted to make more than its capacity.
+/// 0 <= capacity_i <= limit_i exactly, and no predicted torque exceeds its capacity.
 TYPED_TEST_P(step_properties, capacity_is_within_its_limits) {
   int limited = 0;
   this->for_each_step([&](const auto& sample, const auto& result) {
@@ -104,9 +103,8 @@ TYPED_TEST_P(step_properties, capacity_is_within_its_limits) {
   EXPECT_GT(limited, 0) << "no sample reached a limit";
 }
 
-/// Where a force is displayed, its component along the desired one is the desired one: Fc . n = |Fd|; it
-/// makes the angle gamma with it, and its torques are the cone coefficients. Where display is exact, it is
-/// the desired force.
+/// A displayed force has the desired component: Fc . n = |Fd|. Its angle with n is gamma, and its torques are
+/// the cone coefficients. An exact force is the desired force.
 TYPED_TEST_P(step_properties, displayed_force_has_the_desired_component) {
   using M = typename TestFixture::model;
   using T = typename TestFixture::number;
@@ -129,7 +127,7 @@ TYPED_TEST_P(step_properties, displayed_force_has_the_desired_component) {
     const T condition = Settles<M> ? T(1) / settled_rates<M>::default_share : T(1);
     ASSERT_LE((E.transpose() * Fc - result.cone_coefficients).norm(),
               tolerance * condition * E.norm() * Fc.norm());
-    if constexpr (Settles<M>) {  // Fc . v' <= 0, but for what brakes within their dead band could give
+    if constexpr (Settles<M>) {  // Fc . v' <= 0, except for brakes within their dead band
       const T given = result.cone_coefficients.cwiseAbs().dot(sample.brakes.rate_dead_band);
       const T rounding = tolerance * condition * Fc.norm() * result.settled_velocity.norm();
       ASSERT_LE(Fc.dot(result.settled_velocity), given + rounding);
@@ -142,8 +140,8 @@ TYPED_TEST_P(step_properties, displayed_force_has_the_desired_component) {
             0);
 }
 
-/// In slip, where direct control scales (0 < alpha < 1) and no limit is reached, nothing of the resultant
-/// force is left normal to the wall: (Fh + alpha Fc) . n = 0, and the brakes' torques are those of alpha Fc.
+/// In slip, with 0 < alpha < 1 and no limit reached, the resultant has no normal component: (Fh + alpha Fc) .
+/// n = 0, and the brakes' torques are those of alpha Fc.
 TYPED_TEST_P(step_properties, direct_control_leaves_nothing_normal) {
   using T = typename TestFixture::number;
   using M = typename TestFixture::model;
@@ -169,9 +167,8 @@ TYPED_TEST_P(step_properties, direct_control_leaves_nothing_normal) {
   EXPECT_GT(scaled, 0) << "no sample was scaled by direct control";
 }
 
-/// Brakes at rest that nobody pushes restrict nothing: any force that leaves joints without a brake alone is
-/// displayed exactly, no torque is predicted, and the brakes hold. What slower motions than their dead bands
-/// would settle to is another matter, so nothing moves where a self-motion settles.
+/// Brakes at rest without hand torque restrict nothing: forces that do not act on joints without a brake are
+/// displayed exactly, no torque is predicted, and the brakes hold. Settling self-motion: tested at rest.
 TYPED_TEST_P(step_properties, brakes_at_rest_and_unpushed_restrict_nothing) {
   using T = typename TestFixture::number;
   using M = typename TestFixture::model;

@@ -1,6 +1,4 @@
-/// @file
-/// The laws of the TrackedShape concept as a GoogleTest suite for any model; the case is that of
-/// shape_properties.hpp.
+/// The laws of the TrackedShape concept as a GoogleTest suite; cases as in shape_properties.hpp.
 #pragma once
 
 #include <passive_haptics/scene/world/tracked_shape.hpp>
@@ -14,7 +12,7 @@
 
 namespace passive_haptics::testing {
 
-/// Suite of a tracked shape's laws; Case as in shape_properties.hpp.
+/// Suite of a tracked shape's laws.
 template <class Case>
 class tracked_shape_properties : public ::testing::Test {
  protected:
@@ -22,23 +20,22 @@ class tracked_shape_properties : public ::testing::Test {
   static_assert(TrackedShape<model>,
                 "passive_haptics: tracked_shape_properties needs a model of TrackedShape "
                 "(scene/world/tracked_shape.hpp).");
-  static constexpr int d = model::dimension;  ///< Dimension.
-  static constexpr int cycle_count = 5000;    ///< Cycles that are tried.
-  static constexpr unsigned seed = 20040627;  ///< Of the way.
-  using memory = typename model::tracker;     ///< What is remembered.
+  static constexpr int d = model::dimension;  ///< d
+  static constexpr int cycle_count = 5000;    ///< Number of cycles.
+  static constexpr unsigned seed = 20040627;  ///< Seed of the path.
+  using memory = typename model::tracker;     ///< State of a handle.
 
   /// One contact.
   struct touch {
-    point<d> normal;  ///< As the shape returns it.
-    double depth;     ///< As the shape returns it [m].
+    point<d> normal;  ///< Unit normal.
+    double depth;     ///< [m]
 
-    /// To the bit.
-    bool operator==(const touch&) const = default;
+    bool operator==(const touch&) const = default;  ///< Bitwise.
   };
   /// Result of one call.
   struct answer {
     std::vector<touch> felt;  ///< Contacts.
-    double may_go;            ///< How far the handle may go [m].
+    double may_go;            ///< Allowed distance of the handle [m].
   };
 
   const model shape = Case::make();  ///< The shape under test.
@@ -51,8 +48,7 @@ class tracked_shape_properties : public ::testing::Test {
     return a;
   }
 
-  /// visit(from, x, memory before) for each cycle of a random way of small steps and leaps within the box;
-  /// follows it.
+  /// visit(from, x, memory before) for each cycle of a random path of small steps and leaps within the box.
   template <class Visit>
   void for_each_cycle(const Visit& visit) const {
     random_source random(seed);
@@ -77,8 +73,7 @@ class tracked_shape_properties : public ::testing::Test {
 
 TYPED_TEST_SUITE_P(tracked_shape_properties);
 
-/// At most `dimension` contacts, each a unit vector and a depth > 0; where there is one, nothing may be
-/// skipped.
+/// At most `dimension` contacts with unit normal and depth > 0; nothing is skipped during contact.
 TYPED_TEST_P(tracked_shape_properties, contacts_have_a_direction_and_a_depth) {
   int touched = 0, free = 0;
   this->for_each_cycle([&](const auto& from, const auto& x, auto t) {
@@ -97,7 +92,7 @@ TYPED_TEST_P(tracked_shape_properties, contacts_have_a_direction_and_a_depth) {
   EXPECT_GT(free, 0);
 }
 
-/// As far as it is said the handle may go any way and touches nothing; so outside of the bounds.
+/// The handle touches nothing within the allowed distance, nor outside the bounds.
 TYPED_TEST_P(tracked_shape_properties, what_may_be_skipped_is_free) {
   random_source random(this->seed);
   int tried = 0;
@@ -121,7 +116,7 @@ TYPED_TEST_P(tracked_shape_properties, what_may_be_skipped_is_free) {
   EXPECT_GT(tried, 0);
 }
 
-/// Equal memories and places give equal results and memories.
+/// Equal memories and positions give equal results and memories.
 TYPED_TEST_P(tracked_shape_properties, the_answer_depends_on_nothing_else) {
   this->for_each_cycle([&](const auto& from, const auto& x, auto t) {
     auto other = t;
@@ -133,7 +128,7 @@ TYPED_TEST_P(tracked_shape_properties, the_answer_depends_on_nothing_else) {
   });
 }
 
-/// NaN in x gives a NaN depth, and is forgotten.
+/// NaN in x gives a NaN depth and leaves the memory.
 TYPED_TEST_P(tracked_shape_properties, no_number_is_no_place) {
   this->for_each_cycle([&](const auto& from, const auto& x, auto t) {
     auto unaware = t;

@@ -7,20 +7,20 @@ namespace {
 namespace serial = example::serial;
 using namespace registers;
 
-constexpr std::uint32_t clock = 25'000'000;  // of core and peripherals [Hz]
+constexpr std::uint32_t clock = 25'000'000;  // core and peripherals [Hz]
 constexpr std::uint32_t baud = 1'000'000;
 
 constinit firmware::byte_queue<256> received, to_send;
 constinit firmware::byte_queue<4096> to_report;
 
-// The next byte, if the last one has gone.
+// Sends the next byte if the last one is out.
 template <std::uint32_t Size>
 void send_next(uart_block& uart, firmware::byte_queue<Size>& from) {
   uart.interrupts = uart_sent;
   if (std::uint8_t b; (uart.state & uart_full) == 0 && from.pop(b)) uart.data = b;
 }
 
-// All of it, or nothing; the interrupt sends.
+// Queues all bytes or none; the interrupt sends them.
 template <std::uint32_t Size>
 void queue(std::span<const std::uint8_t> bytes, firmware::byte_queue<Size>& to, int line) {
   if (to.room() < bytes.size()) return;
@@ -35,8 +35,8 @@ void set_up_lines() {
   for (const auto& one : interrupts) cortex_m::enable_interrupt(one.line);
 }
 
-// Resets all when the loop does not come round for 2 s: after 1 s it warns, after another it acts. The time
-// of an emulator leaps where that gets no processor.
+// Resets everything if the loop does not run for 2 s: a warning after 1 s, then the reset. Emulated time
+// jumps if the emulator gets no processor.
 void set_up_watchdog() {
   watchdog().load = clock;
   watchdog().ctrl = 3;

@@ -1,6 +1,6 @@
-// An Arm MPS2 with the image AN386, as QEMU has it (-M mps2-an386): the line and the core are real, encoders
-// and brakes are simulated, as the board has neither. It says on a second line what the brakes have: a frame
-// of `currents` whenever they are set, whose sequence is the time [ms].
+// An Arm MPS2 with the image AN386, as in QEMU (-M mps2-an386): line and core are those of the board,
+// encoders and brakes are simulated. A second line reports the brakes' currents: a frame of `currents`
+// whenever they are set, with the time [ms] as its sequence.
 //
 //   UART 0   serial line
 //   UART 1   currents of the brakes
@@ -10,11 +10,10 @@
 #include <firmware/cortex_m.hpp>
 #include <firmware/simulated_axes.hpp>
 
-// Host and board are processes here, and either may be kept waiting for seconds: a host takes 1000 samples
-// that are missing for a restart
+// Host and board are processes here and may be delayed by seconds; a host considers 1000 missing samples a
+// restart
 inline constexpr firmware::settings settings{.watchdog = 8000, .period = 10'000};
 
-// A firmware::Board.
 class cortex_m_board {
  public:
   cortex_m_board() = default;

@@ -1,6 +1,4 @@
-/// @file
-/// The registers that board.cpp uses, of the Cortex-M System Design Kit (ARM DDI 0479) as it stands in an
-/// MPS2 (ARM DAI 0386).
+/// Registers for board.cpp, of the Cortex-M System Design Kit (ARM DDI 0479) in an MPS2 (ARM DAI 0386).
 #pragma once
 
 #include <firmware/cortex_m.hpp>

@@ -15,7 +15,7 @@ static_assert(line_clock % baud == 0);
 constinit firmware::byte_queue<256> received, to_send;
 
 void set_up_clocks() {
-  rcc().cr = rcc().cr | 1u << 16;  // quartz of 8 MHz; the samples' time is as good as it
+  rcc().cr = rcc().cr | 1u << 16;  // 8 MHz quartz, the accuracy of the samples' times
   while ((rcc().cr & 1u << 17) == 0) {
   }
   flash().acr = 1u << 10 | 1u << 9 | 1u << 8 | 2;                  // caches, prefetch, two wait states
@@ -23,7 +23,7 @@ void set_up_clocks() {
   rcc().cr = rcc().cr | 1u << 24;
   while ((rcc().cr & 1u << 25) == 0) {
   }
-  rcc().cfgr = 4u << 10 | 2;  // the serial line at half the clock, timers at all of it
+  rcc().cfgr = 4u << 10 | 2;  // serial line at half the clock, timers at the full clock
   while ((rcc().cfgr & 0xCu) != 8u) {
   }
   rcc().ahb1enr = 7;                                  // ports A, B, C
@@ -41,13 +41,13 @@ void set_up_brakes() {
   timer_3().arr = pwm_steps - 1;
   timer_3().ccr[0] = 0;
   timer_3().ccr[1] = 0;
-  timer_3().ccmr1 = 0x6868;  // PWM mode 1, a new value counts from the next period
+  timer_3().ccmr1 = 0x6868;  // PWM mode 1, new values apply from the next period
   timer_3().ccer = 1u | 1u << 4;
   timer_3().egr = 1;
   timer_3().cr1 = 1u | 1u << 7;
 }
 
-// Last, so that no pin drives anything before its timer says 0 A.
+// Last, so that no pin drives anything before its timer outputs 0 A.
 void set_up_pins() {
   gpio_a().afr[0] = 2u | 2u << 4 | 7u << 8 | 7u << 12 | 2u << 24 | 2u << 28;
   gpio_a().afr[1] = 1u << 28;
@@ -63,10 +63,10 @@ void set_up_serial_line() {
   cortex_m::enable_interrupt(interrupts[0].line);
 }
 
-// Resets all, and so lets go of the brakes, when the loop does not come round for 12 ms (9 to 24, its clock
-// is rough).
+// Resets everything, which releases the brakes, if the loop does not run for 12 ms (9 to 24, its clock is
+// inaccurate).
 void set_up_watchdog() {
-  watchdog().kr = 0xCCCC;  // starts it and its clock, without which the next writes never arrive
+  watchdog().kr = 0xCCCC;  // starts it and its clock, without which the next writes have no effect
   watchdog().kr = 0x5555;
   watchdog().rlr = 100;
   while (watchdog().sr != 0) {

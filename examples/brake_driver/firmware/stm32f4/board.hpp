@@ -1,5 +1,5 @@
-// An STM32F405/407: a template, written against its reference manual and compiled in the tests, but never run
-// on one. What a board has elsewhere is in set_up_pins() and cortex_m_board.
+// STM32F405/407: a template, written by its reference manual and compiled in the tests, but never run on
+// hardware. Adapt set_up_pins() and cortex_m_board to your board.
 //
 //   PA0, PA1 and PA15, PB3   encoders A, B (timers 5 and 2, 32 bits, four counts a line)
 //   PA2, PA3                 serial line, 1 Mbit/s (USART 2)
@@ -13,7 +13,6 @@
 
 inline constexpr firmware::settings settings{};  // two encoders, two brakes
 
-// A firmware::Board.
 class cortex_m_board {
  public:
   cortex_m_board();  // the brakes at 0 A

@@ -1,5 +1,4 @@
-/// @file
-/// The registers that board.cpp uses, of an STM32F405/407 (reference manual RM0090).
+/// Registers for board.cpp, of an STM32F405/407 (reference manual RM0090).
 #pragma once
 
 #include <firmware/cortex_m.hpp>

@@ -1,5 +1,4 @@
-/// @file
-/// What a device can do at one point of a task, in a few figures.
+/// Figures of a device at one point of a task.
 #pragma once
 
 #include <passive_haptics/design/displayable.hpp>
@@ -12,36 +11,29 @@
 
 namespace passive_haptics {
 
-/// Figures of a device at a point of a task, where its end effector moves along a wall.
+/// Figures of a device at a point of a task where its end effector moves along a wall.
 template <class T>
 struct design_figures {
-  /// ok; else why there are no figures: those of displayable(), or out_of_reach.
-  status outcome = status::ok;
-  /// How a force along the normal is displayed.
-  display_class display = display_class::none;
-  /// cos(gamma) [1] of the angle between the normal and the nearest force that can be made: 1 if exact, 0 if
-  /// none.
+  status outcome = status::ok;  ///< ok, or the reason for no figures: as displayable(), or out_of_reach.
+  display_class display = display_class::none;  ///< Display of a force along the normal.
+  /// cos(gamma) [1] between the normal and the nearest producible force: 1 if exact, 0 if none.
   T cosine = T(0);
-  /// Force against the motion along the wall for each newton out of it that force approximation displays
-  /// [1]: in the plane tan(gamma). NaN if nothing is displayed.
+  /// Force against the motion along the wall per newton of normal force by force approximation [1];
+  /// tan(gamma) for planar devices. NaN if nothing is displayed.
   T drag = std::numeric_limits<T>::quiet_NaN();
-  /// Largest n . F [N] that the brakes make within their limits; with limits of 1 N m newtons for each newton
-  /// metre.
+  /// Maximum n . F [N] of the brakes within their limits; with limits of 1 N m it is in N per N m.
   T max_force = T(0);
-  /// The sink slope [1]: metres into the wall for each metre along it.
-  T sink_slope = std::numeric_limits<T>::infinity();
-  /// Least over largest singular value of E, the map from brake rates to the velocity of the end effector
-  /// [1]: 1 where it is isotropic, 0 at singular poses. Of brakes in rad/s beside others in m/s it depends on
-  /// the units.
+  T sink_slope = std::numeric_limits<T>::infinity();  ///< Sink slope [1]: depth per distance along the wall.
+  /// Minimum by maximum singular value of E, the map from brake rates to end-effector velocity [1]: 1 if
+  /// isotropic, 0 at singular poses. If rates have mixed units (rad/s and m/s), it depends on them.
   T isotropy = T(0);
 };
 
 namespace detail {
 
-// Least over largest singular value; 0 of 0, and where a number is not finite. By one-sided Jacobi: rows are
-// turned in pairs until they are orthogonal, and their lengths are then the singular values. Eigen's
-// JacobiSVD would be a quarter of what the functions of a device cost the compiler. Reference: J. Demmel, K.
-// Veselic, Jacobi's method is more accurate than QR, SIAM J. Matrix Analysis 13 (4), 1992.
+// Minimum by maximum singular value; 0 for zero matrices and values that are not finite. One-sided Jacobi,
+// which compiles much faster than Eigen's JacobiSVD: J. Demmel, K. Veselic, Jacobi's method is more accurate
+// than QR, SIAM J. Matrix Analysis 13 (4), 1992.
 template <class T, int D, int Brakes>
 T isotropy_of(matrix<T, D, Brakes> E) {
   constexpr int max_sweeps = 30;
@@ -77,8 +69,8 @@ T isotropy_of(matrix<T, D, Brakes> E) {
 
 }  // namespace detail
 
-/// The figures at one point, of these brakes, against a hand that pushes with `push` [N]. Cost: displayable,
-/// sink_slope and the singular values of E.
+/// Returns the figures at one point for these brakes and a hand that pushes with `push` [N]. Cost:
+/// displayable, sink_slope and the singular values of E.
 template <class M>
 design_figures<typename M::scalar> design_figures_at(const M& mechanism, const path_point<M>& at,
                                                      const hybrid_brakes<M>& brakes,

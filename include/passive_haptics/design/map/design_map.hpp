@@ -1,5 +1,4 @@
-/// @file
-/// A map of what a device can do over the points of a task, to compare designs by.
+/// Figures of a device over the points of a task, to compare designs.
 #pragma once
 
 #include <passive_haptics/design/map/planar_figures.hpp>
@@ -11,36 +10,31 @@
 
 namespace passive_haptics {
 
-/// The figures of a device at N points of a task, a structure of arrays: number k of each is that of point k,
-/// and stands for what design_figures has there.
+/// design_figures at N points of a task as a structure of arrays: element k belongs to point k.
 template <class M>
 class design_map {
  public:
   using T = typename M::scalar;  ///< Scalar of the mechanism.
-  /// True for planar devices with two joints and two brakes, in double: no decomposition a point.
+  /// True for planar devices with two joints and two brakes in double, which need no decomposition.
   static constexpr bool has_closed_form = detail::is_planar_with_two_brakes<M>;
 
-  std::vector<status> outcome;         ///< ok, or why there are no figures.
-  std::vector<display_class> display;  ///< How a force along the normal is displayed.
+  std::vector<status> outcome;         ///< ok, or the reason for no figures.
+  std::vector<display_class> display;  ///< Display of a force along the normal.
   std::vector<T> cosine;               ///< cos(gamma) [1].
-  std::vector<T> drag;                 ///< For each newton that is displayed [1].
-  std::vector<T> max_force;            ///< Largest n . F [N].
+  std::vector<T> drag;                 ///< Per newton of normal force [1].
+  std::vector<T> max_force;            ///< Maximum n . F [N].
   std::vector<T> sink_slope;           ///< [1]
   std::vector<T> isotropy;             ///< Of E [1].
 
-  /// Of brakes with these limits, and motors if there are any, against a hand that pushes with `push` [N].
-  /// Figures agree with design_figures_at() to 1e-9 of their size; classes are equal, but where rounding
-  /// decides. Throws std::invalid_argument where a limit is NaN or on the wrong side of 0, or the push is
-  /// NaN. Cost: a design_figures_at() a point; if has_closed_form, and no brake is off or one-way, a tenth of
-  /// that.
+  /// Figures for these brakes, including motors, and a hand that pushes with `push` [N]. They agree with
+  /// design_figures_at() to a relative 1e-9. Throws std::invalid_argument if a limit is NaN or on the wrong
+  /// side of 0, or the push is NaN. Ten times faster if has_closed_form and no brake is off or one-way.
   design_map(const M& mechanism, const task_points<M>& points, const hybrid_brakes<M>& brakes, T push) {
     assign(mechanism, points, brakes, push);
   }
-  /// An empty map.
-  design_map() = default;
+  design_map() = default;  ///< An empty map.
 
-  /// Becomes the map of another device or task, as by the constructor. Allocates only for more points than
-  /// before.
+  /// Replaces the map, as by the constructor. Allocates only for more points than before.
   void assign(const M& mechanism, const task_points<M>& points, const hybrid_brakes<M>& brakes, T push) {
     require_valid(brakes);
     detail::refuse_unless(!std::isnan(push), "push on a design_map [N]", push, "a number");
@@ -58,9 +52,8 @@ class design_map {
     store_all([&](const path_point<M>& at) { return design_figures_at(mechanism, at, brakes, push); });
   }
 
-  /// How many points there are.
-  std::size_t size() const { return outcome.size(); }
-  /// The figures of point k.
+  std::size_t size() const { return outcome.size(); }  ///< Number of points.
+  /// Figures of point k.
   design_figures<T> operator[](std::size_t k) const {
     return {outcome[k], display[k], cosine[k], drag[k], max_force[k], sink_slope[k], isotropy[k]};
   }
@@ -78,7 +71,7 @@ class design_map {
     expect("motor_limit[", hybrid.motor_limit, T(1), "a number >= 0, or infinity");
   }
 
-  // Brakes that are on, and work both ways
+  // True if all brakes are on and work both ways
   static bool can_all_resist(const hybrid_brakes<M>& hybrid) {
     const switchable_brakes<M>& b = hybrid.brakes;
     return (b.torque_limit.array() > T(0)).all() && (b.torque_lower.array() < T(0)).all() &&

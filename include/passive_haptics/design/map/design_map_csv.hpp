@@ -1,5 +1,4 @@
-/// @file
-/// A design map as text, for a spreadsheet, NumPy or gnuplot.
+/// Design maps as text for a spreadsheet, NumPy or gnuplot.
 #pragma once
 
 #include <passive_haptics/design/map/design_map.hpp>
@@ -13,14 +12,11 @@
 
 namespace passive_haptics {
 
-/// Comma-separated values, a row for each point, under a row of names with units:
+/// Returns comma-separated values, one row per point, after a row of names with units:
 ///
-///     x1 [m],..., q1,..., outcome, display, gamma [rad], drag [1], max force [N], sink slope [1], isotropy
-///     [1]
+///     x1 [m],..., q1,..., outcome, display, gamma [rad], drag [1], max force [N], sink slope [1], ...
 ///
-/// Numbers are those of the map, written so that they are read again as they were; nan where there is none.
-/// Allocates the text, some 150 characters a row. Throws std::invalid_argument where the points are not as
-/// many as those of the map.
+/// Numbers are exact when read again. Throws std::invalid_argument unless the map is that of the points.
 template <class M>
 std::string to_csv(const task_points<M>& points, const design_map<M>& map) {
   using T = typename M::scalar;

@@ -1,6 +1,4 @@
-/// @file
-/// The figures of planar devices with two joints and two brakes: those of displayable() and sink_slope() with
-/// the inverse of E in closed form, without a decomposition.
+/// Figures of planar devices with two joints and two brakes, with the inverse of E in closed form.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -12,20 +10,20 @@
 
 namespace passive_haptics::detail {
 
-// A device that planar_figures serves. In double: bounds are chosen for it.
+// Devices of planar_figures; its bounds are chosen for double.
 template <class M>
 concept is_planar_with_two_brakes =
     std::same_as<typename M::scalar, double> && M::dof == 2 && M::task_dimension == 2 && M::brake_count == 2;
 
-// Least over largest singular value of E. They are (p + q) / 2 and |p - q| / 2, with p and q the lengths of
-// the parts of E that rotate and mirror. Their product is |det E|, so nothing cancels where the ratio is 1.
+// Minimum by maximum singular value of E. They are (p + q) / 2 and |p - q| / 2, with the norms p and q of the
+// rotating and mirroring parts of E. Their product is |det E|, which avoids cancellation at a ratio of 1.
 inline double isotropy_of(const matrix<double, 2, 2>& E, double determinant) {
   const double p = vector<double, 2>(E(0, 0) + E(1, 1), E(1, 0) - E(0, 1)).norm();
   const double q = vector<double, 2>(E(0, 0) - E(1, 1), E(1, 0) + E(0, 1)).norm();
   return 4 * std::abs(determinant) / ((p + q) * (p + q));
 }
 
-// Figures of points of one device, with brakes that all work both ways.
+// Figures of points of one device with brakes that all work both ways.
 template <is_planar_with_two_brakes M>
 class planar_figures {
  public:
@@ -42,8 +40,7 @@ class planar_figures {
   }
 
  private:
-  // Nothing near singular poses, and for directions, normals and joint positions of extreme size: there only
-  // the general form is accurate.
+  // Empty near singular poses and for extreme sizes, for which only the general form is accurate.
   PASSIVE_HAPTICS_FLATTEN std::optional<design_figures<double>> closed_form(const path_point<M>& at) const {
     constexpr double min_isotropy = 1e-6;
     const brake_matrix<M> E(brake_jacobian_(mechanism_pose<M>(mechanism_, at.q)));

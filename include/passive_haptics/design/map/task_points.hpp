@@ -1,5 +1,4 @@
-/// @file
-/// The points of a task: where a device is looked at before it is built, and how its handle moves there.
+/// Points of a task, at which a device is examined before it is built.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -17,8 +16,7 @@
 
 namespace passive_haptics {
 
-/// The most points that points_of() makes: in double, their arrays and those of their design_map take some
-/// 12 GB. Map a larger task in parts.
+/// Maximum number of points of points_of(); with their design_map they take about 12 GB.
 inline constexpr std::size_t max_task_points = 100'000'000;
 
 /// Points of a task of mechanism M.
@@ -27,14 +25,14 @@ class task_points {
  public:
   using T = typename M::scalar;  ///< Scalar of the mechanism.
 
-  /// Appends a place whose end effector is at x [m]. reached: whether the joint positions q lead there; of a
-  /// point that is out of reach the map has this status and no figures.
+  /// Appends a point with the end effector at x [m]. reached: status of the joint positions q; the map has
+  /// this status and no figures if it is not ok.
   void append(const path_point<M>& at, const task_vector<M>& x, status reached = status::ok) {
     points_.push_back(at);
     x_.push_back(x);
     reached_.push_back(reached);
   }
-  /// Appends a place, with the position of its end effector.
+  /// Appends a point with the position by the mechanism.
   void append(const M& mechanism, const path_point<M>& at) {
     const bool is_there = all_finite(at.q);
     append(at,
@@ -43,13 +41,11 @@ class task_points {
            is_there ? status::ok : status::state_not_finite);
   }
 
-  /// How many there are.
-  std::size_t size() const { return reached_.size(); }
-  /// Point k.
-  const path_point<M>& operator[](std::size_t k) const { return points_[k]; }
-  /// End effector of point k [m], base frame.
+  std::size_t size() const { return reached_.size(); }                         ///< Number of points.
+  const path_point<M>& operator[](std::size_t k) const { return points_[k]; }  ///< Point k.
+  /// End effector at point k [m], base frame.
   const task_vector<M>& position(std::size_t k) const { return x_[k]; }
-  /// Whether point k was reached: ok, out_of_reach or state_not_finite.
+  /// ok, out_of_reach or state_not_finite for point k.
   status reached(std::size_t k) const { return reached_[k]; }
 
  private:
@@ -58,14 +54,14 @@ class task_points {
   std::vector<status> reached_;
 };
 
-/// A grid over a box of the workspace, its corners included.
+/// A grid over a box of the workspace, including its corners.
 template <class T, int D>
 struct task_grid {
-  vector<T, D> lower;                                  ///< Least coordinates [m], base frame,
-  vector<T, D> upper;                                  ///< and greatest.
+  vector<T, D> lower;                                  ///< Minimum coordinates [m], base frame.
+  vector<T, D> upper;                                  ///< Maximum coordinates [m].
   std::array<int, static_cast<std::size_t>(D)> count;  ///< Points along each axis, >= 2.
 
-  /// How many points it has; the maximum of the type if there are more, 0 if a count is not positive.
+  /// Number of points, saturated at the maximum of the type; 0 if a count is not positive.
   std::size_t size() const {
     constexpr std::size_t max = std::numeric_limits<std::size_t>::max();
     std::size_t n = 1;
@@ -94,10 +90,9 @@ inline void require_task_size(std::size_t size, const char* name) {
 }
 }  // namespace detail
 
-/// The points of a grid, where the handle moves in one direction along walls of one normal (base frame).
-/// inverse(x): a joint_solution, joint positions that put the end effector at x. Throws
-/// std::invalid_argument for a grid of fewer than 2 points along an axis, of more than max_task_points, or
-/// with corners that are not finite.
+/// Points of a grid with one direction of motion and one wall normal (base frame). inverse(x): a
+/// joint_solution for the end effector at x. Throws std::invalid_argument for fewer than 2 points along an
+/// axis, more than max_task_points, or corners that are not finite.
 template <class M, class Inverse>
 task_points<M> points_of(const M&, const task_grid<typename M::scalar, M::task_dimension>& grid,
                          const Inverse& inverse, const task_vector<M>& direction,
@@ -120,8 +115,8 @@ task_points<M> points_of(const M&, const task_grid<typename M::scalar, M::task_d
   return points;
 }
 
-/// `count` points of a path, at the middles of as many equal parts; path(u) returns the path_point<M> at u in
-/// (0, 1). Throws std::invalid_argument for a count of less than 1, or of more than max_task_points.
+/// `count` points of a path, at the middles of equal parts; path(u) returns the path_point<M> at u in (0, 1).
+/// Throws std::invalid_argument for a count below 1 or above max_task_points.
 template <class M, class Path>
 task_points<M> points_of(const M& mechanism, Path&& path, int count) {
   detail::refuse_unless(count >= 1, "count of the points of a path", count, "1 or more");

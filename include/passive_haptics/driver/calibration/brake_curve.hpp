@@ -1,5 +1,4 @@
-/// @file
-/// The torque that a brake makes of a current.
+/// Torque of a brake over its current.
 #pragma once
 
 #include <passive_haptics/core/nth.hpp>
@@ -16,32 +15,30 @@ namespace passive_haptics {
 /// A measured point of a brake.
 struct current_torque {
   double current = 0;  ///< [A]
-  double torque = 0;   ///< [N m]; of a sliding brake [N].
+  double torque = 0;   ///< [N m]; [N] for a sliding brake.
 };
 
-/// One electric brake: its torque when the current rises, measured cold,
+/// Torque of one brake for rising current, measured cold,
 ///
-///     torque = residual_torque + torque_per_ampere current,   or a table that is linear between its points,
+///     torque = residual_torque + torque_per_ampere current,   or a table with linear interpolation,
 ///
-/// and what changes it. For a sliding brake read N for N m. The defaults are no brake's: 1 N m at 1 A.
+/// and its corrections. Read N instead of N m for sliding brakes. The defaults are placeholders.
 struct brake_curve {
   static constexpr int max_points = 16;  ///< Of a table.
 
-  double residual_torque = 0;    ///< What drags without current [N m].
-  double torque_per_ampere = 1;  ///< Slope of the straight line [N m/A]; beside a table it stays 1.
-  double current_limit = 1;      ///< Most current that is ever given [A].
-  /// The first `points` are a table in place of the line: both values rise, the first is 0 A and
-  /// residual_torque. The others are 0.
+  double residual_torque = 0;    ///< Torque without current [N m].
+  double torque_per_ampere = 1;  ///< Slope of the straight line [N m/A]; 1 with a table.
+  double current_limit = 1;      ///< Maximum current [A].
+  /// Replaces the line if points > 0: both values increase, from 0 A and residual_torque. Unused entries are
+  /// 0.
   std::array<current_torque, static_cast<std::size_t>(max_points)> table{};
-  int points = 0;  ///< 0: the straight line; else 2 to max_points.
-  /// By how much the falling branch lies above the rising one, remanence [N m].
-  double hysteresis = 0;
-  /// Share of the torque, without the residual one, that a kelvin above the reference takes away [1/K].
+  int points = 0;         ///< 0 for the straight line, else 2 to max_points.
+  double hysteresis = 0;  ///< Distance between falling and rising branch, remanence [N m].
+  /// Share of the torque, without the residual torque, lost per kelvin above the reference [1/K].
   double loss_per_kelvin = 0;
-  double reference_temperature = 293.15;  ///< At which the curve was measured, the coldest of the device [K].
-  double max_temperature = 353.15;        ///< A hotter reading counts as this [K].
+  double reference_temperature = 293.15;  ///< Of the measured curve, lowest of the device [K].
+  double max_temperature = 353.15;        ///< Higher readings are limited to this [K].
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = brake_curve;
     return member_table(
@@ -58,13 +55,13 @@ struct brake_curve {
             .suspicious_above(1000),
         member("max_temperature", &p::max_temperature, "K", range::positive).suspicious_above(1000));
   }
-  /// The table's values rise, all that is given of it is read, and heat leaves some torque.
+  /// Requires an increasing table without unused entries, and some torque at max_temperature.
   std::string rules() const;
 };
 
 namespace detail {
 
-// What is given but would not be read: entries beyond `points`, and a slope beside a table
+// Rejects values that would be ignored: entries beyond `points`, and a slope with a table
 inline std::string check_brake_points(const brake_curve& p) {
   int given = brake_curve::max_points;
   for (; given > p.points; --given) {
@@ -105,14 +102,14 @@ inline std::string check_brake_table(const brake_curve& p) {
   return {};
 }
 
-// Torque that is left of 1; cold if the temperature is not known
+// Remaining share of the torque; 1 if the temperature is unknown
 inline double hot_share(const brake_curve& p, double temperature) noexcept {
   if (!std::isfinite(temperature)) return 1;
   const double above = std::min(temperature, p.max_temperature) - p.reference_temperature;
   return 1 - p.loss_per_kelvin * std::max(above, 0.0);
 }
 
-// To where From is value, on the piece of the table whose upper end first has From >= value, or the last one
+// Interpolates on the first piece of the table with an upper end From >= value, or the last one
 template <double current_torque::* From, double current_torque::* To>
 double on_table(const brake_curve& p, double value) noexcept {
   std::size_t i = 1;
@@ -132,11 +129,11 @@ inline std::string brake_curve::rules() const {
                             "less than 1 / (max_temperature - reference_temperature)");
 }
 
-/// Temperature of a brake that nobody measures [K].
+/// Temperature of a brake without a sensor [K].
 inline constexpr double unknown_temperature = std::numeric_limits<double>::quiet_NaN();
 
-/// Torque [N m] that a current [A] makes on the rising branch. A temperature [K] that is colder than the
-/// reference, NaN or infinite reads as the reference.
+/// Torque [N m] of a current [A] on the rising branch. Low or unknown temperatures [K] count as the
+/// reference.
 inline double torque_of_current(const brake_curve& p, double current,
                                 double temperature = unknown_temperature) noexcept {
   double made = p.torque_per_ampere * current;
@@ -146,13 +143,9 @@ inline double torque_of_current(const brake_curve& p, double current,
   return p.residual_torque + detail::hot_share(p, temperature) * made;
 }
 
-/// The current [A] in [0, current_limit] that makes this torque [N m] on the rising branch: 0 up to the
-/// residual torque and for NaN.
-///
-/// A temperature that is not known reads as the reference, which is the coldest: a cold brake is strongest,
-/// so the current is the smallest that can be meant. The brake then makes at most what was commanded, and is
-/// not heated further for a sensor that broke; the wall is softer, and no torque is there that nobody
-/// commanded.
+/// Current [A] in [0, current_limit] for a torque [N m] on the rising branch; 0 up to the residual torque and
+/// for NaN. Unknown temperatures count as the reference, the coldest: the torque then never exceeds the
+/// command.
 inline double current_of_torque(const brake_curve& p, double torque,
                                 double temperature = unknown_temperature) noexcept {
   if (!(torque > p.residual_torque)) return 0;

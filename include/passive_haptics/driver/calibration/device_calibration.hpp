@@ -1,4 +1,3 @@
-/// @file
 /// All calibrations of a device: counts and readings to its state, capacities to currents.
 #pragma once
 
@@ -12,15 +11,14 @@
 
 namespace passive_haptics {
 
-/// What was measured on a device with mechanism M and a force sensor with this many channels.
+/// Calibration of a device with mechanism M and a force sensor with this many channels.
 template <class M, int Channels = M::task_dimension>
 struct device_calibration_parameters {
   encoder_calibration_parameters<encoder_axes<M>::count> encoders;       ///< On encoder_axes<M>.
   rate_estimator_parameters rates;                                       ///< In counts.
-  brake_curves<M::brake_count> brakes{};                                 ///< Torque of current.
-  force_calibration_parameters<M::task_dimension, Channels> force = {};  ///< Not read without a sensor.
+  brake_curves<M::brake_count> brakes{};                                 ///< Currents to torques.
+  force_calibration_parameters<M::task_dimension, Channels> force = {};  ///< Unused without a sensor.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = device_calibration_parameters;
     return member_table(member("encoders", &p::encoders), member("rates", &p::rates),
@@ -28,8 +26,7 @@ struct device_calibration_parameters {
   }
 };
 
-/// Chains rate estimator, encoder, force and brake calibration of mechanism M. Frame says how the sensor
-/// turns.
+/// Rate estimator, encoder, force and brake calibration of mechanism M. Frame: orientation of the sensor.
 template <class M, int Channels = M::task_dimension, class Frame = fixed_sensor_frame<M::task_dimension>>
 class device_calibration {
   static_assert(is_mechanism<M, explain>());
@@ -38,13 +35,13 @@ class device_calibration {
   using T = typename M::scalar;
 
  public:
-  using axes = encoder_axes<M>;                          ///< What the encoders turn with.
-  using counts_array = std::array<double, axes::count>;  ///< As safe_port::position(): past wraps [counts].
-  using readings_array = std::array<double, static_cast<std::size_t>(Channels)>;  ///< One of each channel.
-  using parameters = device_calibration_parameters<M, Channels>;                  ///< What it is made of.
+  using axes = encoder_axes<M>;                          ///< Axes of the encoders.
+  using counts_array = std::array<double, axes::count>;  ///< As safe_port::position(), beyond wraps [counts].
+  using readings_array = std::array<double, static_cast<std::size_t>(Channels)>;  ///< One per channel.
+  using parameters = device_calibration_parameters<M, Channels>;                  ///< Parameters.
 
-  /// Throws std::invalid_argument with the text of validate(p) or, of a frame with a table, validate(frame);
-  /// or if the transmission is singular.
+  /// Throws std::invalid_argument with the text of validate(p) or, for a frame with a table, of
+  /// validate(frame); or if the transmission is singular.
   device_calibration(const M& mechanism, const device_calibration_parameters<M, Channels>& p,
                      const Frame& frame = {})
       : encoders(require_valid(p).encoders),
@@ -58,7 +55,7 @@ class device_calibration {
     require_no_error(solvable ? "" : "the mechanism's transmission is singular");
   }
 
-  /// State at the time [s] of a sample; not finite where a count or reading is not.
+  /// State at the time [s] of a sample; not finite if a count or reading is not.
   device_state<M> state(double time, const counts_array& counts, const readings_array& readings) noexcept {
     device_state<M> y;
     read(y, time, counts);
@@ -74,7 +71,7 @@ class device_calibration {
     return y;
   }
 
-  /// Currents [A] for capacities [N m], with the brakes' temperatures [K] where they are measured.
+  /// Currents [A] for capacities [N m], with temperatures [K] if measured.
   brake_currents<M::brake_count> currents(
       const brake_vector<M>& capacity,
       const vector<double, M::brake_count>& temperature =
@@ -82,21 +79,21 @@ class device_calibration {
     return brakes.currents(as<double>(capacity), temperature);
   }
 
-  /// Joint positions [rad or m] of counts; changes nothing.
+  /// Joint positions [rad or m] for counts; does not change the state.
   joint_vector<M> joint_positions(const counts_array& counts) const noexcept {
     return axes_.to_joints(as<T>(encoders.position(vector<double, axes::count>(counts.data()))));
   }
-  /// Axis positions [rad or m] of a pose: the reference of homing.
+  /// Axis positions [rad or m] of a pose, the reference of homing.
   vector<double, axes::count> axis_positions(const joint_vector<M>& q) const noexcept {
     return as<double>(axes_.from_joints(q));
   }
-  /// Sensor's frame in a pose: for taring.
+  /// Orientation of the sensor in a pose, for taring.
   matrix<double, M::task_dimension, M::task_dimension> sensor_frame(const joint_vector<M>& q) const noexcept {
     return frame_(as<double>(q));
   }
 
   encoder_calibration<axes::count> encoders;             ///< Counts to axis positions.
-  rate_estimator<axes::count> rates;                     ///< Of counts.
+  rate_estimator<axes::count> rates;                     ///< Rates of counts.
   force_calibration<M::task_dimension, Channels> force;  ///< Readings to force.
   brake_calibration<M::brake_count> brakes;              ///< Capacities to currents.
 

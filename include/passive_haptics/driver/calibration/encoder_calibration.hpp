@@ -1,5 +1,4 @@
-/// @file
-/// From an encoder's counts to the position of its axis, and back.
+/// Conversion between encoder counts and axis positions.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -11,19 +10,16 @@
 
 namespace passive_haptics {
 
-/// Encoders on the axes of a device (encoder_axes names them). Direction: counts_per_turn is negative where
-/// counts fall while the axis turns in its positive sense, the one of the mechanism's q or, on a brake's
-/// axis, of w = T qd.
+/// Encoders on the axes of a device (encoder_axes). counts_per_turn is negative if counts fall while the axis
+/// moves in its positive sense, that of the mechanism's q or of w = T qd for a brake axis.
 template <int Axes>
 struct encoder_calibration_parameters {
-  /// All edges of a turn of the axis (4 for each line), signed; of a slide, counts per metre.
+  /// Signed edges per turn of the axis (4 per line); counts per metre for a slide.
   vector<double, Axes> counts_per_turn = vector<double, Axes>::Constant(8192);
-  /// True for an axis that slides: its position is in m, not rad.
+  /// True for a sliding axis, in m instead of rad.
   std::array<bool, static_cast<std::size_t>(Axes)> slides{};
-  /// Count at position 0; homing finds it.
-  vector<double, Axes> zero_count = vector<double, Axes>::Zero();
+  vector<double, Axes> zero_count = vector<double, Axes>::Zero();  ///< Count at position 0; see homing.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = encoder_calibration_parameters;
     return member_table(member("counts_per_turn", &p::counts_per_turn, "", range::finite)
@@ -32,7 +28,7 @@ struct encoder_calibration_parameters {
                         member("slides", &p::slides),
                         member("zero_count", &p::zero_count, "", range::finite));
   }
-  /// No axis has 0 counts.
+  /// Requires counts_per_turn other than 0.
   std::string rules() const {
     for (int i = 0; i < Axes; ++i) {
       if (counts_per_turn[i] != 0) continue;
@@ -43,8 +39,7 @@ struct encoder_calibration_parameters {
   }
 };
 
-/// position = (count - zero_count) / counts_per_unit of each axis; the unit is rad, of a slide m. Counts are
-/// those of a safe_port, past the wraps of their counters.
+/// position = (count - zero_count) / counts_per_unit, in rad or m; counts are those of a safe_port.
 template <int Axes>
 class encoder_calibration {
  public:
@@ -55,24 +50,23 @@ class encoder_calibration {
       if (!nth(p.slides, i)) counts_per_unit_[i] /= 2 * std::numbers::pi;
   }
 
-  /// Axis positions [rad or m] of counts.
+  /// Axis positions [rad or m].
   vector<double, Axes> position(const vector<double, Axes>& counts) const noexcept {
     return rate(counts - zero_count_);
   }
-  /// Axis rates [rad/s or m/s] of rates in counts/s.
+  /// Axis rates [rad/s or m/s] from counts/s.
   vector<double, Axes> rate(const vector<double, Axes>& counts) const noexcept {
     return counts.cwiseQuotient(counts_per_unit_);
   }
-  /// Counts, not rounded, of axis positions [rad or m].
+  /// Unrounded counts for axis positions [rad or m].
   vector<double, Axes> counts(const vector<double, Axes>& position) const noexcept {
     return zero_count_ + position.cwiseProduct(counts_per_unit_);
   }
   /// One count [rad or m].
   vector<double, Axes> resolution() const noexcept { return counts_per_unit_.cwiseAbs().cwiseInverse(); }
 
-  /// Count at position 0.
-  const vector<double, Axes>& zero_count() const noexcept { return zero_count_; }
-  /// From here on these are the counts at position 0, as from homing; others than finite ones change nothing.
+  const vector<double, Axes>& zero_count() const noexcept { return zero_count_; }  ///< Count at position 0.
+  /// Sets the counts at position 0, as found by homing; ignores values that are not finite.
   void set_zero_count(const vector<double, Axes>& counts) noexcept {
     if (all_finite(counts)) zero_count_ = counts;
   }
@@ -81,27 +75,25 @@ class encoder_calibration {
   vector<double, Axes> zero_count_, counts_per_unit_;
 };
 
-/// Finds the zero counts while the handle is held still in a reference pose.
+/// Determines the zero counts while the handle is held still in a reference pose.
 template <int Axes>
 class homing {
  public:
-  /// reference: axis positions there [rad or m], encoder_axes<M>(mechanism).from_joints(q). The default takes
-  /// 0.5 s within 3 counts. Throws std::invalid_argument with the text of validate(p), or if the reference is
-  /// not finite.
+  /// reference: axis positions in that pose [rad or m], of encoder_axes<M>::from_joints(q). Throws
+  /// std::invalid_argument with the text of validate(p), or if the reference is not finite.
   homing(const encoder_calibration<Axes>& encoders, const vector<double, Axes>& reference,
          const steady_parameters& p = {})
       : from_zero_(encoders.counts(reference) - encoders.zero_count()), counts_(p) {
     require_no_error(all_finite(reference) ? "" : "reference [rad or m], expected finite numbers");
   }
 
-  /// Counts at this time [s]. Restarts on motion or gaps; the return value says so.
+  /// Adds counts at a time [s]. Restarts on motion or gaps, as reported.
   steady_status add(double time, const vector<double, Axes>& counts) noexcept {
     return counts_.add(time, counts);
   }
-  /// Counts at position 0; NaN until it is done. Within half the tolerance and half a count.
+  /// Counts at position 0, within half the tolerance and half a count; NaN until done.
   vector<double, Axes> zero_count() const noexcept { return counts_.mean() - from_zero_; }
-  /// As new.
-  void reset() noexcept { counts_.reset(); }
+  void reset() noexcept { counts_.reset(); }  ///< Restarts.
 
  private:
   vector<double, Axes> from_zero_;

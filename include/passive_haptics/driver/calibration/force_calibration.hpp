@@ -1,5 +1,4 @@
-/// @file
-/// From a force sensor's channels to the force of the hand in the base frame.
+/// Conversion of force sensor channels to the hand force in the base frame.
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
@@ -12,19 +11,19 @@
 
 namespace passive_haptics {
 
-/// The sensor's orientation as a mechanism moves: joint positions [rad or m] -> R (d x d, a rotation), which
-/// turns the sensor's frame to the base frame: its columns are the sensor's axes.
+/// Orientation of the sensor: joint positions [rad or m] -> rotation R (d x d) from the sensor's frame to the
+/// base frame, with the sensor's axes as columns.
 template <class F, int Dof, int Dimension>
 concept SensorFrame = requires(const F frame, const vector<double, Dof> q) {
   { frame(q) } -> ExactMatrix<double, Dimension, Dimension>;
 };
 
-/// A sensor that does not turn, as on an xy_table.
+/// A sensor that does not rotate, as on an xy_table.
 template <int Dimension>
 struct fixed_sensor_frame {
-  /// Its axes, as columns in the base frame.
+  /// Sensor axes as columns, base frame.
   matrix<double, Dimension, Dimension> rotation = matrix<double, Dimension, Dimension>::Identity();
-  /// R, in any pose.
+  /// R, for any pose.
   template <int Dof>
   matrix<double, Dimension, Dimension> operator()(const vector<double, Dof>&) const noexcept {
     return rotation;
@@ -34,13 +33,12 @@ struct fixed_sensor_frame {
 /// A sensor on a link of a planar mechanism, at the angle link . q + mounting.
 template <int Dof>
 struct planar_sensor_frame {
-  /// The link's angle in joint angles: {1, 1} on the last link where q2 is measured from link 1 (two_link,
-  /// tendon_two_link), {0, 1} where it is measured from the base, {0, 0} where the sensor does not turn.
-  /// There is no default: a wrong one would turn the forces.
+  /// Angle of the link in joint angles, without default: {1, 1} on the last link if q2 is relative to link 1
+  /// (two_link, tendon_two_link), {0, 1} if it is relative to the base, {0, 0} for a sensor that does not
+  /// rotate.
   vector<double, Dof> link = vector<double, Dof>::Constant(std::numeric_limits<double>::quiet_NaN());
   double mounting = 0;  ///< From the link to the sensor's x axis [rad].
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = planar_sensor_frame;
     return member_table(
@@ -59,21 +57,19 @@ struct planar_sensor_frame {
   }
 };
 
-/// A force sensor between last link and handle, its d force components from Channels raw values.
+/// Parameters of a force sensor between last link and handle.
 template <int Dimension, int Channels = Dimension>
 struct force_calibration_parameters {
   static_assert(Channels >= Dimension, "passive_haptics: a force sensor needs a channel for each dimension.");
-  /// Force in the sensor's frame [N] for each unit of a raw value: what the handle does to the sensor. The
-  /// sensor's sign is right if a push along its x axis reads positive. Default: the first d channels are
-  /// these forces in N.
+  /// Force in the sensor's frame [N] per raw unit: force of the handle on the sensor, positive for a push
+  /// along the sensor's x axis. Default: the first d channels in N.
   matrix<double, Dimension, Channels> newtons_per_unit = matrix<double, Dimension, Channels>::Identity();
-  /// What it reads without a load, in its frame [N]; taring finds it.
+  /// Reading without load in the sensor's frame [N]; see taring.
   vector<double, Dimension> tare = vector<double, Dimension>::Zero();
-  double handle_mass = 0;  ///< Of all that hangs on the sensor [kg].
-  /// Of the base frame [m/s^2]: 0 in a horizontal plane.
+  double handle_mass = 0;  ///< Mass supported by the sensor [kg].
+  /// In the base frame [m/s^2]; 0 for a horizontal plane.
   vector<double, Dimension> gravity = vector<double, Dimension>::Zero();
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = force_calibration_parameters;
     return member_table(member("newtons_per_unit", &p::newtons_per_unit, "N", range::finite),
@@ -81,7 +77,7 @@ struct force_calibration_parameters {
                         member("handle_mass", &p::handle_mass, "kg", range::not_negative),
                         member("gravity", &p::gravity, "m/s^2", range::finite));
   }
-  /// The channels distinguish all directions, and gravity has a mass to pull at.
+  /// Requires channels that distinguish all directions, and a mass if gravity is given.
   std::string rules() const {
     if (!all_finite(pseudo_inverse(transposed(newtons_per_unit))))
       return "newtons_per_unit has dependent rows, expected one that distinguishes all directions";
@@ -96,12 +92,11 @@ struct force_calibration_parameters {
 ///
 ///     F = R (C raw - tare) - m g.
 ///
-/// Not taken out: the handle's inertia, m times its acceleration, which a sensor between link and handle
-/// reads, too.
+/// The handle's inertia force is not compensated.
 template <int Dimension, int Channels = Dimension>
 class force_calibration {
  public:
-  using parameters = force_calibration_parameters<Dimension, Channels>;  ///< What it is made of.
+  using parameters = force_calibration_parameters<Dimension, Channels>;  ///< Parameters.
   using rotation = matrix<double, Dimension, Dimension>;                 ///< From a SensorFrame.
   using readings = vector<double, Channels>;                             ///< Raw values.
 
@@ -109,20 +104,18 @@ class force_calibration {
   explicit force_calibration(const parameters& p = {})
       : p_(require_valid(p)), weight_(p.handle_mass * p.gravity) {}
 
-  /// Force of the hand [N], base frame. Cost: two products.
+  /// Hand force [N], base frame.
   vector<double, Dimension> force(const readings& raw, const rotation& R) const noexcept {
     return R * (p_.newtons_per_unit * raw - p_.tare) - weight_;
   }
 
-  /// The tare [N], sensor's frame, of mean readings with the hand off, in a pose with R: what is left without
-  /// the handle's weight.
+  /// Tare [N] in the sensor's frame, from mean readings without the hand in a pose with R.
   vector<double, Dimension> tare_of(const readings& raw, const rotation& R) const noexcept {
     return p_.newtons_per_unit * raw - R.transpose() * weight_;
   }
 
-  /// The tare that is in use [N].
-  const vector<double, Dimension>& tare() const noexcept { return p_.tare; }
-  /// From here on this is the tare [N]; other than finite numbers change nothing.
+  const vector<double, Dimension>& tare() const noexcept { return p_.tare; }  ///< Current tare [N].
+  /// Sets the tare [N]; ignores values that are not finite.
   void set_tare(const vector<double, Dimension>& tare) noexcept {
     if (all_finite(tare)) p_.tare = tare;
   }

@@ -1,5 +1,4 @@
-/// @file
-/// The mean of readings while nothing moves, for homing and taring.
+/// Mean of readings at rest, for homing and taring.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -11,13 +10,12 @@
 
 namespace passive_haptics {
 
-/// When readings count as steady.
+/// Parameters of steady_mean.
 struct steady_parameters {
-  double duration = 0.5;  ///< Of the mean [s].
-  double tolerance = 3;   ///< Most between the least and the largest reading, in their unit (counts).
-  double max_gap = 0.02;  ///< Between two readings [s].
+  double duration = 0.5;  ///< Duration of the mean [s].
+  double tolerance = 3;   ///< Maximum range of a reading, in its unit (counts).
+  double max_gap = 0.02;  ///< Maximum time between two readings [s].
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = steady_parameters;
     return member_table(
@@ -27,28 +25,28 @@ struct steady_parameters {
   }
 };
 
-/// How far a steady_mean is.
+/// Progress of a steady_mean.
 enum class steady_status {
   collecting,   ///< Steady so far.
-  moved,        ///< A reading moved out of the tolerance: started anew with it.
-  interrupted,  ///< A reading was NaN or infinite, came late, or its time did not go on: started anew.
-  done,         ///< The mean is there; further readings change nothing.
+  moved,        ///< A reading exceeded the tolerance: restarted with it.
+  interrupted,  ///< A reading was not finite, late, or its time did not increase: restarted.
+  done,         ///< The mean is complete; further readings are ignored.
 };
 
-/// The status in words.
+/// Text of the status.
 constexpr std::string_view to_string(steady_status s) {
   return detail::word_of(
       s, {"collecting", "moved: started anew", "interrupted: started anew", "done", "unknown steady status"});
 }
 
-/// Mean of N readings over a time in which none moved by more than a tolerance.
+/// Mean of N readings over a time in which none varied by more than a tolerance.
 template <int N>
 class steady_mean {
  public:
   /// Throws std::invalid_argument with the text of validate(p).
   explicit steady_mean(const steady_parameters& p = {}) : p_(require_valid(p)) {}
 
-  /// Readings at this time [s].
+  /// Adds readings at a time [s].
   steady_status add(double time, const vector<double, N>& reading) noexcept {
     if (status_ == steady_status::done) return status_;
     if (!std::isfinite(time) || !all_finite(reading)) {
@@ -66,16 +64,15 @@ class steady_mean {
     return status_ = time - start_ < p_.duration ? steady_status::collecting : steady_status::done;
   }
 
-  /// What the last add() said.
-  steady_status status() const noexcept { return status_; }
+  steady_status status() const noexcept { return status_; }  ///< Result of the last add().
 
-  /// The mean, in the readings' unit; NaN until it is done.
+  /// Mean in the unit of the readings; NaN until done.
   vector<double, N> mean() const noexcept {
     if (status_ == steady_status::done) return first_ + sum_ / count_;
     return vector<double, N>::Constant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  /// As new.
+  /// Restarts.
   void reset() noexcept {
     count_ = 0;
     status_ = steady_status::collecting;

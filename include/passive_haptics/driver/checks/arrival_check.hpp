@@ -1,5 +1,4 @@
-/// @file
-/// Whether the times of samples look like those of their arrival.
+/// Detection of samples with the times of their arrival.
 #pragma once
 
 #include <passive_haptics/driver/checks/sample_spacing.hpp>
@@ -8,14 +7,14 @@
 
 namespace passive_haptics {
 
-/// A device takes its samples at equal times. If a port stamps them when they arrive, a late one is soon
-/// followed by the next. A rate made of such times is wrong by the lateness: see device_clock.
+/// Detects sample times that look like times of arrival: a late sample is soon followed by the next. Rates
+/// from such times are wrong; see device_clock.
 class arrival_check {
  public:
-  static constexpr std::uint64_t min_samples = 200;  ///< Fewer say nothing.
-  static constexpr double max_share = 0.1;  ///< Of short spacings, as of a loop that is late at times.
+  static constexpr std::uint64_t min_samples = 200;  ///< Minimum number for a result.
+  static constexpr double max_share = 0.1;           ///< Of short spacings; a loop may be late at times.
 
-  /// The time of a good sample [s].
+  /// Adds the time of a good sample [s].
   void add(double time) noexcept {
     const double spacing = time - last_;
     last_ = time;
@@ -24,11 +23,11 @@ class arrival_check {
     if (spacing_.is_short(spacing)) ++short_;
   }
 
-  /// The share of samples that came less than about half of the usual spacing after the one before, 0 to 1.
+  /// Share of samples within about half the usual spacing after the previous one, 0 to 1.
   double share() const noexcept {
     return samples_ < 2 ? 0 : static_cast<double>(short_) / static_cast<double>(samples_ - 1);
   }
-  /// Whether the times look like those of arrival.
+  /// True if the times look like times of arrival.
   bool found() const noexcept { return samples_ >= min_samples && share() > max_share; }
 
  private:

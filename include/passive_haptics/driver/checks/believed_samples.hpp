@@ -1,5 +1,4 @@
-/// @file
-/// The last good samples of a port and of a force sensor: what is believed of them.
+/// The last good samples of a port and of a force sensor.
 #pragma once
 
 #include <passive_haptics/driver/checks/arrival_check.hpp>
@@ -11,21 +10,18 @@
 
 namespace passive_haptics {
 
-/// The encoders of a port: each sample is read and checked; a bad one changes nothing.
+/// Encoders of a port: reads and checks samples, ignores bad ones.
 template <int N>
 class believed_encoders {
  public:
-  /// late_after [s]: the age at which a sample is bad. Throws std::invalid_argument with the text of
-  /// validate(limits).
+  /// late_after [s]: age at which a sample is bad. Throws std::invalid_argument for invalid limits.
   believed_encoders(double late_after, const encoder_limits& limits) : sample_(late_after), counts_(limits) {}
 
-  /// Counters of this width wrap; 0: they never do. Before the first sample.
+  /// Sets the width at which counters wrap; 0: never. Call it before the first sample.
   void set_counter_bits(int bits) noexcept { counts_.set_counter_bits(bits); }
-  /// wrap_time() of these counters [s].
-  double wrap_time() const noexcept { return counts_.wrap_time(); }
+  double wrap_time() const noexcept { return counts_.wrap_time(); }  ///< wrap_time() of these counters [s].
 
-  /// Reads a sample at time `now` [s]; `free` says that no brake holds. What is wrong with the sample, or
-  /// none.
+  /// Reads a sample at time `now` [s]; `free`: no brake holds. Returns its fault, or none.
   template <class Port>
   fault_record read(Port& port, double now, bool free) noexcept {
     port_sample<N> sample;
@@ -38,12 +34,11 @@ class believed_encoders {
     return {};
   }
 
-  /// Where the encoders are, past every wrap of their counters [counts].
+  /// Encoder positions beyond counter wraps [counts].
   const typename encoder_check<N>::counts& position() const noexcept { return counts_.position(); }
-  /// When that was [s]; 0 before the first good sample.
+  /// Time of that position [s]; 0 before the first good sample.
   double time() const noexcept { return time_; }
-  /// Whether the times look like those of arrival.
-  const arrival_check& arrivals() const noexcept { return arrivals_; }
+  const arrival_check& arrivals() const noexcept { return arrivals_; }  ///< Check for times of arrival.
 
  private:
   sample_check<N> sample_;
@@ -52,22 +47,21 @@ class believed_encoders {
   double time_ = 0;
 };
 
-/// The channels of a force sensor: each sample is read and checked; a bad one changes nothing.
+/// Channels of a force sensor: reads and checks samples, ignores bad ones.
 template <int N>
 class believed_forces {
  public:
-  /// late_after [s]: the age at which a sample is bad. Throws std::invalid_argument with the text of
-  /// validate(limits).
+  /// late_after [s]: age at which a sample is bad. Throws std::invalid_argument for invalid limits.
   believed_forces(double late_after, const sensor_limits<N>& limits) : sample_(late_after), range_(limits) {}
 
-  /// Reads a sample at time `now` [s]. What is wrong with the sample, or none.
+  /// Reads a sample at time `now` [s]. Returns its fault, or none.
   template <class Sensor>
   fault_record read(Sensor& sensor, double now) noexcept {
     if constexpr (N == 0) return {};
     port_sample<N> sample;
     const port_status status = sensor.read(sample);
     fault_record found = sample_(status, sample, now, fault_source::force_sensor);
-    // A force has no home to lose
+    // Forces need no homing
     if (found.what == fault::device_restarted) sample_.reset();
     if (found.what == fault::none) found = range_(sample);
     if (found.what == fault::none) reading_ = sample.value;

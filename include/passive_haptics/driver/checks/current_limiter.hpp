@@ -1,5 +1,4 @@
-/// @file
-/// What currents a brake's coil and amplifier may get.
+/// Current limits of a brake's coil and amplifier.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -12,13 +11,11 @@ namespace passive_haptics {
 /// Limits of the current of each of N brakes.
 template <int N>
 struct current_limits {
-  brake_currents<N> max_current = same_for_each<N>(1);  ///< Never more [A].
-  brake_currents<N> continuous = same_for_each<N>(1);   ///< May flow for ever [A].
-  /// What may be over it: the integral of I^2 - continuous^2 [A^2 s].
-  brake_currents<N> heat = same_for_each<N>(10);
-  brake_currents<N> max_rise_rate{};  ///< [A/s], 0 for no limit. A fall is never slowed.
+  brake_currents<N> max_current = same_for_each<N>(1);  ///< Absolute maximum [A].
+  brake_currents<N> continuous = same_for_each<N>(1);   ///< Allowed indefinitely [A].
+  brake_currents<N> heat = same_for_each<N>(10);        ///< Allowed integral of I^2 - continuous^2 [A^2 s].
+  brake_currents<N> max_rise_rate{};                    ///< [A/s], 0 for no limit. Falls are not limited.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = current_limits;
     return member_table(
@@ -29,21 +26,21 @@ struct current_limits {
   }
 };
 
-/// Clamps, slows and, where a coil gets too warm, lowers currents: I^2 t as of a fuse that mends.
+/// Clamps currents, limits their rise, and lowers them for warm coils: I^2 t as of a fuse that recovers.
 template <int N>
 class current_limiter {
  public:
   /// Throws std::invalid_argument with the text of validate(limits).
   explicit current_limiter(const current_limits<N>& limits) : limits_(require_valid(limits)) {}
 
-  /// What may flow now instead of `wanted` (each finite and >= 0) [A], `dt` [s] after the call before.
+  /// Returns the allowed currents for `wanted` (each finite and >= 0) [A], `dt` [s] after the previous call.
   brake_currents<N> operator()(const brake_currents<N>& wanted, double dt) noexcept {
     warm_ = false;
     for (std::size_t i = 0; i < flowing_.size(); ++i) {
       const double continuous = limits_.continuous[i];
       heat_[i] = std::max(0.0, heat_[i] + (flowing_[i] * flowing_[i] - continuous * continuous) * dt);
       double limit = limits_.max_current[i];
-      // Once too warm it stays lowered until half of the heat is gone, or it would switch each cycle
+      // Hysteresis: stays lowered until half of the heat is gone
       hot_[i] = heat_[i] > (hot_[i] ? 0.5 : 1.0) * limits_.heat[i];
       if (hot_[i] && continuous < limit) limit = cooling * continuous;
       if (limits_.max_rise_rate[i] > 0) limit = std::min(limit, flowing_[i] + limits_.max_rise_rate[i] * dt);
@@ -53,15 +50,12 @@ class current_limiter {
     return flowing_;
   }
 
-  /// Whether heat lowered the last currents.
-  bool lowered_by_heat() const noexcept { return warm_; }
-  /// The last currents [A].
-  const brake_currents<N>& flowing() const noexcept { return flowing_; }
-  /// Nothing flows any more; the coils stay as warm as they are.
-  void release() noexcept { flowing_ = {}; }
+  bool lowered_by_heat() const noexcept { return warm_; }  ///< True if heat lowered the last currents.
+  const brake_currents<N>& flowing() const noexcept { return flowing_; }  ///< The last currents [A].
+  void release() noexcept { flowing_ = {}; }  ///< Sets the currents to 0; keeps the heat of the coils.
 
  private:
-  static constexpr double cooling = 0.95;  // of the continuous current, at which a coil cools
+  static constexpr double cooling = 0.95;  // fraction of the continuous current at which a coil cools
 
   current_limits<N> limits_;
   brake_currents<N> flowing_{};

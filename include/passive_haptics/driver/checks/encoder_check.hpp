@@ -1,5 +1,4 @@
-/// @file
-/// Encoder counts past the wrap of their counter, and whether a device can have moved so.
+/// Encoder counts beyond counter wraps, checked for plausible motion.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -13,19 +12,17 @@
 
 namespace passive_haptics {
 
-/// What encoders of a device can do.
+/// Limits of a device's encoders.
 struct encoder_limits {
-  /// Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts. With it a counter that
-  /// wraps allows pauses up to wrap_time().
+  /// Higher rates count as a jump [counts/s]. Default: 24 turns/s of 8192 counts. Also limits pauses, see
+  /// wrap_time().
   double max_rate = 2e5;
-  /// An encoder that does not change while the others together turn so far and no brake holds is frozen
-  /// [counts]; 0: never checked. A turn of 8192 counts by default; more where friction alone can hold an
-  /// axis.
+  /// Travel of the other encoders together after which an unchanged encoder counts as frozen, if no brake
+  /// holds [counts]; 0: not checked. Default: one turn of 8192 counts; use more if friction can hold an axis.
   double frozen_travel = 8192;
-  /// How many encoders there are, the first of all channels; the others never move.
+  /// Number of encoders, the first of all channels; the others never move.
   int encoders = std::numeric_limits<int>::max();
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = encoder_limits;
     return member_table(member("max_rate", &p::max_rate, "counts/s", range::positive)
@@ -37,17 +34,16 @@ struct encoder_limits {
   }
 };
 
-/// The time between two samples from which on a counter of this width may have wrapped unseen [s]:
+/// Minimum time between two samples after which a counter of this width may have wrapped undetected [s],
 ///
 ///     (2^bits / 2 - 2) / max_rate,
 ///
-/// 2 for a count of rounding at each end. After such a pause, two different motions lead to the same counts.
-/// max_rate in counts/s. Infinite if bits is 0: the counter never wraps.
+/// with 2 for rounding by a count at each end. max_rate in counts/s. Infinite if bits is 0 (no wrap).
 inline double wrap_time(int bits, double max_rate) noexcept {
   return bits > 0 ? (std::ldexp(0.5, bits) - 2) / max_rate : std::numeric_limits<double>::infinity();
 }
 
-/// Follows N encoders from sample to sample.
+/// Follows N encoders over their samples.
 template <int N>
 class encoder_check {
  public:
@@ -56,16 +52,15 @@ class encoder_check {
   /// Throws std::invalid_argument with the text of validate(limits).
   explicit encoder_check(const encoder_limits& limits) : limits_(require_valid(limits)) {}
 
-  /// Counters of this width wrap; 0: they never do. Before the first sample.
+  /// Sets the width at which counters wrap; 0: never. Call it before the first sample.
   void set_counter_bits(int bits) noexcept {
     turn_ = bits > 0 ? std::ldexp(1.0, bits) : 0.0;
     wrap_time_ = passive_haptics::wrap_time(bits, limits_.max_rate);
   }
-  /// wrap_time() of these counters [s].
-  double wrap_time() const noexcept { return wrap_time_; }
+  double wrap_time() const noexcept { return wrap_time_; }  ///< wrap_time() of these counters [s].
 
-  /// Takes a sample; `free` says that no brake holds. A fault: the sample was not taken, or an encoder froze,
-  /// which stays so, as does a counter that may have wrapped unseen since the last sample taken.
+  /// Processes a sample; `free`: no brake holds. Returns a fault if the sample was rejected, or permanently
+  /// if an encoder froze or a counter may have wrapped undetected.
   fault_record operator()(const port_sample<N>& sample, bool free) noexcept {
     for (std::size_t i = 0; i < sample.value.size(); ++i)
       if (!in_range(sample.value[i]))
@@ -76,7 +71,7 @@ class encoder_check {
     }
     const double elapsed = std::max(0.0, sample.time - last_.time);
     if (!(elapsed < wrap_time_)) return {fault::counter_wrapped, fault_source::encoders};
-    // Nobody saw where the device went between two samples, but a sample that jumped was seen
+    // After a rejected jump, only the time before the jump is unobserved
     if (!jumped_) unseen_ = elapsed;
     jumped_ = true;
     counts moved;
@@ -102,11 +97,11 @@ class encoder_check {
     return frozen_;
   }
 
-  /// Where the encoders are, on past every wrap; the first sample's own counts to begin with [counts].
+  /// Encoder positions beyond wraps, starting with the first sample's counts [counts].
   const counts& position() const noexcept { return position_; }
 
  private:
-  // Of a counter without or with a sign; without a width, as far as a double distinguishes single counts
+  // For counters with or without sign; without a width, as far as a double is exact
   bool in_range(double count) const noexcept {
     constexpr double max_exact = 1 / std::numeric_limits<double>::epsilon();
     return turn_ > 0 ? count >= -turn_ / 2 && count < turn_ : std::abs(count) <= max_exact;
@@ -119,10 +114,10 @@ class encoder_check {
   }
 
   encoder_limits limits_;
-  double turn_ = 0;                                             // counts until the counter wraps
+  double turn_ = 0;                                             // counts per wrap
   double wrap_time_ = std::numeric_limits<double>::infinity();  // [s]
   bool started_ = false;
-  bool jumped_ = false;  // the sample before this one
+  bool jumped_ = false;  // the previous sample
   double unseen_ = 0;    // [s]
   fault_record frozen_;
   port_sample<N> last_;

@@ -1,4 +1,3 @@
-/// @file
 /// The period of a loop.
 #pragma once
 
@@ -11,18 +10,16 @@
 
 namespace passive_haptics {
 
-/// The period of a loop [s]: the given one, or the median of its first spacings, which no single pause
-/// changes.
+/// The period of a loop [s]: a given value, or the median of its first spacings, which is robust to a pause.
 class loop_period {
  public:
-  /// given [s]; 0: it is measured.
-  explicit loop_period(double given) : given_(given) {}
+  explicit loop_period(double given) : given_(given) {}  ///< given [s]; 0: measured.
 
-  /// The time since the cycle before [s].
+  /// Adds the time since the previous cycle [s].
   void add(double spacing) noexcept {
     if (count_ < spacings_.size()) spacings_[count_++] = spacing;
   }
-  /// The period [s]; 0 if none was given and there is no spacing yet.
+  /// Period [s]; 0 if none was given and there is no spacing yet.
   double value() const noexcept {
     if (given_ > 0 || count_ == 0) return given_;
     auto sorted = spacings_;
@@ -30,7 +27,7 @@ class loop_period {
     std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(count_));
     return *middle;
   }
-  /// Error text if a counter of this width can wrap unseen within the period; empty otherwise.
+  /// Error text if a counter of this width can wrap undetected within the period; empty otherwise.
   std::string error(double wrap_time, int counter_bits) const {
     if (value() < wrap_time) return {};
     return detail::error_text(

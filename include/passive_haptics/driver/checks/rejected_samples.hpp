@@ -1,5 +1,4 @@
-/// @file
-/// The share of a device's samples that are rejected.
+/// Share of a device's rejected samples.
 #pragma once
 
 #include <passive_haptics/driver/fault.hpp>
@@ -11,20 +10,20 @@
 
 namespace passive_haptics {
 
-/// The samples that arrived, and those that were rejected: damaged, invalid, out of range or a jump. A loose
-/// plug spoils every second sample, and `hold_over` bridges each of them.
+/// Counts arrived and rejected samples (damaged, invalid, out of range or a jump). A loose plug can spoil
+/// every second sample, each of which `hold_over` would bridge.
 class rejected_samples {
  public:
-  static constexpr double max_share = 0.25;  ///< From this share on a device is not to be trusted.
+  static constexpr double max_share = 0.25;  ///< Share above which a device is not trusted.
 
-  /// hold_over [s]: a tenth of the time that is_too_many() looks back.
+  /// hold_over [s]: a tenth of the window of is_too_many().
   explicit rejected_samples(double hold_over) : part_(hold_over) {}
 
-  /// The result of a read at time `now` [s]. It does not count if no new sample arrived.
+  /// Adds the result of a read at time `now` [s]; ignored if no new sample arrived.
   void add(fault found, double now) noexcept {
     if (found == fault::sample_missing || found == fault::sample_repeated) return;
     double passed = std::floor((now - begin_) / part_);
-    if (!(std::abs(passed) < parts)) {  // the first sample, the first after a pause, or the clock jumped
+    if (!(std::abs(passed) < parts)) {  // first sample, a pause, or a jump of the clock
       begun_ = 0;
       begin_ = now - part_;
       passed = 1;
@@ -42,20 +41,18 @@ class rejected_samples {
     }
   }
 
-  /// True if at least a quarter of the samples of about the last ten `hold_over` were rejected; false until
-  /// samples have arrived for so long.
+  /// True if at least a quarter of the samples within about the last ten `hold_over` were rejected; false
+  /// until samples have arrived for that long.
   bool is_too_many() const noexcept {
     return begun_ >= parts &&
            static_cast<double>(sum_.rejected) >= max_share * static_cast<double>(sum_.arrived);
   }
-  /// The share of all samples that was rejected, 0 to 1.
+  /// Share of rejected samples, 0 to 1.
   double share() const noexcept {
     return all_.arrived == 0 ? 0 : static_cast<double>(all_.rejected) / static_cast<double>(all_.arrived);
   }
-  /// All samples that arrived.
-  std::uint64_t arrived() const noexcept { return all_.arrived; }
-  /// All samples that were rejected.
-  std::uint64_t rejected() const noexcept { return all_.rejected; }
+  std::uint64_t arrived() const noexcept { return all_.arrived; }    ///< Number of arrived samples.
+  std::uint64_t rejected() const noexcept { return all_.rejected; }  ///< Number of rejected samples.
 
  private:
   static constexpr std::size_t parts = 10;
@@ -64,10 +61,10 @@ class rejected_samples {
   };
 
   double part_;                                              // [s]
-  double begin_ = -std::numeric_limits<double>::infinity();  // of the newest part [s]
+  double begin_ = -std::numeric_limits<double>::infinity();  // start of the newest part [s]
   std::size_t begun_ = 0;                                    // parts since the first sample or a pause
   std::array<tally, parts> recent_{};
-  tally sum_, all_;  // of the recent parts, and of all samples
+  tally sum_, all_;  // recent parts; all samples
 };
 
 }  // namespace passive_haptics

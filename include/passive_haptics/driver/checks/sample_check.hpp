@@ -1,5 +1,4 @@
-/// @file
-/// Whether a sample is a new, whole and timely one.
+/// Checks for new, complete and timely samples.
 #pragma once
 
 #include <passive_haptics/driver/fault.hpp>
@@ -10,16 +9,14 @@
 
 namespace passive_haptics {
 
-/// Checks the samples of one device in the order in which they are read. What a channel's value may be is
-/// left to others.
+/// Checks the samples of one device in reading order; values are checked elsewhere.
 template <int N>
 class sample_check {
  public:
-  /// late_after [s]: how old, or how far ahead, a sample's time may be.
+  /// late_after [s]: maximum difference of a sample's time, past or future.
   explicit sample_check(double late_after) : late_after_(late_after) {}
 
-  /// Of this sample, as read with this status at time `now` [s]: a fault, or none if it is good; then the
-  /// next one is measured against it.
+  /// Returns the fault of a sample read with this status at time `now` [s], or none if it is good.
   fault_record operator()(port_status status, const port_sample<N>& sample, double now,
                           fault_source source) noexcept {
     const auto bad = [&](fault what, int channel = -1) { return fault_record{what, source, channel}; };
@@ -42,11 +39,10 @@ class sample_check {
     return {};
   }
 
-  /// Forgets the sequence, for a device that was opened anew.
-  void reset() noexcept { started_ = false; }
+  void reset() noexcept { started_ = false; }  ///< Forgets the sequence, for a device that was reopened.
 
  private:
-  static constexpr std::int32_t max_gap = 1000;  // samples; a second at 1 kHz is no gap any more
+  static constexpr std::int32_t max_gap = 1000;  // samples; a second at 1 kHz
 
   double late_after_;
   bool started_ = false;

@@ -1,4 +1,3 @@
-/// @file
 /// The usual time between samples.
 #pragma once
 
@@ -6,22 +5,21 @@
 
 namespace passive_haptics {
 
-/// The mean of about the last 256 spacings of samples [s], which bursts of up to 32 samples change by 10 % at
-/// most. A pause counts as 20 ms at most, or 16 times the mean if that is longer, so that samples at 1 kHz
-/// are not taken for nearly simultaneous after a pause.
+/// Mean of about the last 256 sample spacings [s]. Bursts of up to 32 samples change it by at most 10 %. A
+/// pause counts as at most 20 ms, or 16 times the mean if that is longer.
 class sample_spacing {
  public:
-  /// A spacing > 0 [s].
+  /// Adds a spacing > 0 [s].
   void add(double spacing) noexcept {
     count_ = std::min(count_ + 1, 256.0);
     mean_ += (std::min(spacing, std::max(16 * mean_, max_burst)) - mean_) / count_;
   }
-  /// Whether n spacings took so little time [s] that these may be times of arrival: about half of n times the
-  /// mean. No rate is to be made of such samples alone.
+  /// True if n spacings took less than about half of n times the mean [s], so that they may be times of
+  /// arrival. Rates must not be based on such samples.
   bool is_short(double time, int n = 1) const noexcept { return time < 0.55 * n * mean_; }
 
  private:
-  static constexpr double max_burst = 0.020;  // [s]; an FTDI adapter waits for 16 ms by default
+  static constexpr double max_burst = 0.020;  // [s]; the default of FTDI adapters is 16 ms
 
   double mean_ = 0, count_ = 0;
 };

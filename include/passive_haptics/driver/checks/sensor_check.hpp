@@ -1,5 +1,4 @@
-/// @file
-/// Whether a force sensor is within its range.
+/// Range check of a force sensor.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -12,15 +11,13 @@
 
 namespace passive_haptics {
 
-/// What a force sensor with N channels can report.
+/// Limits of a force sensor with N channels.
 template <int N>
 struct sensor_limits {
-  /// A channel at +-range or beyond is saturated, as the sensor reports it [N or N m, or its own unit];
-  /// infinite: never.
+  /// Saturation at +-range, in the unit of the sensor [N or N m]; infinite: never.
   std::array<double, static_cast<std::size_t>(N)> range =
       same_for_each<N>(std::numeric_limits<double>::infinity());
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = sensor_limits;
     return member_table(
@@ -28,14 +25,14 @@ struct sensor_limits {
   }
 };
 
-/// Looks at the values of good samples.
+/// Checks the values of good samples.
 template <int N>
 class sensor_check {
  public:
   /// Throws std::invalid_argument with the text of validate(limits).
   explicit sensor_check(const sensor_limits<N>& limits) : limits_(require_valid(limits)) {}
 
-  /// Saturated, or none.
+  /// Returns sensor_saturated, or none.
   fault_record operator()(const port_sample<N>& sample) const noexcept {
     for (std::size_t i = 0; i < limits_.range.size(); ++i)
       if (!(std::abs(sample.value[i]) < limits_.range[i]))

@@ -1,5 +1,4 @@
-/// @file
-/// A process beside the loop that outlives it.
+/// A child process that outlives the loop.
 #pragma once
 
 #include <passive_haptics/driver/clock.hpp>
@@ -25,12 +24,10 @@
 
 namespace passive_haptics {
 
-/// A forked process. Start it before the loop's real-time set-up and before any thread. It leaves the
-/// terminal's process group, so that Ctrl-C, Ctrl-Z and Ctrl-\ do not reach it, and ends after its parent. It
-/// ignores every signal except SIGKILL, SIGSTOP, SIGCONT, SIGCHLD and those that report a fault of the
-/// program itself (SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP). A write to a pipe that nobody
-/// reads, or beyond the limit of a file's size, therefore fails instead of ending it. If it is stopped, the
-/// end of its parent wakes it. It keeps no file open except the standard ones. Its parent never waits for it
+/// A forked process. Start it before the loop's real-time set-up and before any thread. It ends after its
+/// parent, leaves the terminal's process group, and ignores all signals except SIGKILL, SIGSTOP, SIGCONT,
+/// SIGCHLD and those of program errors, so that writing to a pipe without a reader, or beyond the file size
+/// limit, fails instead of ending it. It keeps only the standard files open. Its parent never waits for it
 /// indefinitely.
 class child_process {
  public:
@@ -39,9 +36,9 @@ class child_process {
   child_process& operator=(const child_process&) = delete;
   ~child_process() { stop(); }
 
-  /// Forks. In the child: prepare() returns an error or an empty string, which start() returns in the parent;
-  /// if empty, run(parent_link) follows, and the child ends with it. A child that is not ready within
-  /// `patience` [s] is ended. If the kernel refuses a call, the error names the call and what helps.
+  /// Forks. In the child, prepare() returns an error, which start() returns in the parent, or an empty
+  /// string; then the child executes run(parent_link) and ends. A child that is not ready within `patience`
+  /// [s] is ended.
   template <class Prepare, class Run>
   std::string start(Prepare&& prepare, Run&& run, double patience = 10) {
     if (pid_ > 0) return "start() was called before: the process runs";
@@ -66,34 +63,32 @@ class child_process {
     return error;
   }
 
-  /// Signals the child to end, wakes it whenever it is stopped, and waits for it, at most `patience` [s];
-  /// then it is killed, for which a second more may pass. False if it did not end well: it was killed, or its
-  /// function threw.
+  /// Ends the child: signals it, wakes it whenever it is stopped, waits at most `patience` [s], then kills it
+  /// and waits at most one more second. Returns false if it was killed or its function threw.
   bool stop(double patience = default_patience) noexcept {
     if (pid_ <= 0) return true;
     close(pipe_);
     int status = 0;
     bool ended = ends_within(patience, status);
     if (!ended) {
-      kill(pid_, SIGKILL);             // which fails only where it ended
-      ended = ends_within(1, status);  // a disk may hold up even that
+      kill(pid_, SIGKILL);             // fails only if it has ended
+      ended = ends_within(1, status);  // a disk may delay even that
     }
     pid_ = -1;
     return ended && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
-  /// Its process number; <= 0 if it does not run.
-  pid_t pid() const noexcept { return pid_; }
+  pid_t pid() const noexcept { return pid_; }  ///< Process number; <= 0 if it does not run.
 
  private:
   static constexpr char ready = '\n';
   static constexpr double default_patience = 10;  // [s]
 
-  // Its status is -1 where another took it. Of kill() and poll() no error matters: the child ended meanwhile,
-  // or is waited for no longer than `seconds` all the same.
+  // status is -1 if it was collected elsewhere. Errors of kill() and poll() do not matter: either the child
+  // has ended, or the wait is limited to `seconds`.
   bool ends_within(double seconds, int& status) const noexcept {
     for (const double end = monotonic_seconds() + seconds;;) {
-      const pid_t ended = waitpid(pid_, &status, WNOHANG);  // which no signal interrupts
+      const pid_t ended = waitpid(pid_, &status, WNOHANG);  // not interrupted by signals
       if (ended < 0) status = -1;
       if (ended > 0 || (ended < 0 && errno == ECHILD)) return true;
       if (monotonic_seconds() >= end) return false;
@@ -102,8 +97,8 @@ class child_process {
     }
   }
 
-  // Empty, or the error. Its ends are 3 at least, also where the program was started without descriptors 0
-  // to 2: what the program prints must not end the child.
+  // Returns an error or an empty string. The ends are 3 or more even if descriptors 0 to 2 were closed, so
+  // that the program's output cannot end the child.
   static std::string open_pipe(std::array<int, 2>& ends) {
     constexpr const char* help = "close files, or raise `ulimit -n`";
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return detail::failed_call("pipe2", help);
@@ -112,20 +107,19 @@ class child_process {
     return {};
   }
 
-  // What separates a child from its parent; empty, or the error
+  // Separates the child from its parent; returns an error or an empty string
   static std::string separate(int down, int up) {
     constexpr const char* help = "allow it where system calls are filtered, as in a container";
-    // No session of its own: the scheduler shares out time by sessions (autogroup), and let one wait for
-    // half a second
+    // No session of its own: the scheduler groups by session (autogroup), which delayed it by half a second
     if (setpgid(0, 0) != 0) return detail::failed_call("setpgid", help);
     for (int signal = 1; signal < NSIG; ++signal)
       if (!is_obeyed(signal) && !ignore(signal)) return detail::failed_call("sigaction", help);
-    // Of a parent that died before this call comes no signal, but its pipe is closed at the first look
+    // If the parent died before this call, its closed pipe is detected at the first look
     if (prctl(PR_SET_PDEATHSIG, SIGCONT) != 0) return detail::failed_call("prctl(PR_SET_PDEATHSIG)", help);
-    // Else the child's device or file takes a free number, and gets the child's errors
+    // Otherwise the child's device or file could get a standard number and receive its error output
     if (!open_standard_descriptors())
       return detail::failed_call("/dev/null", "make it, or start the program with descriptors 0 to 2 open");
-    // Another child's pipe, held open here, would keep that one from seeing its parent die
+    // Another child's pipe, held open here, would hide the death of that child's parent
     return detail::close_all_but({down, up});
   }
 
@@ -134,8 +128,7 @@ class child_process {
                                 SIGFPE,  SIGILL,  SIGSEGV, SIGSYS,  SIGTRAP};
     return std::find(obeyed.begin(), obeyed.end(), signal) != obeyed.end();
   }
-  // Not by sigaction(2), which rejects the signals 32 and 33: the C library keeps them, but they end a
-  // process that does not use them
+  // sigaction(2) rejects the signals 32 and 33, which end processes that do not use them
   static bool ignore(int signal) noexcept {
     const std::array<void*, 5> action{
         reinterpret_cast<void*>(SIG_IGN)};  // then flags, restorer and mask: none
@@ -150,7 +143,7 @@ class child_process {
     if (error.empty() && write(up, &ready, 1) != 1) error = "the parent is gone";
     if (!error.empty()) {
       complain(up, error);
-      _exit(1);  // not what the parent registered with atexit
+      _exit(1);  // without the parent's atexit handlers
     }
     close(up);
     error = attempt([&] {
@@ -173,7 +166,7 @@ class child_process {
     return function();
 #endif
   }
-  // Where that fails, nobody is left to hear it
+  // Failure cannot be reported
   static void complain(int to, const std::string& error) noexcept {
     if (write(to, error.data(), error.size()) < 0) return;
   }
@@ -182,7 +175,7 @@ class child_process {
   static std::string answer(int from, double patience) {
     std::string text;
     std::array<char, 256> part;
-    constexpr double max_wait = 1e6;  // [s], whose milliseconds are an int
+    constexpr double max_wait = 1e6;  // [s], its milliseconds fit in an int
     for (const double end = monotonic_seconds() + patience;;) {
       pollfd watched{from, POLLIN, 0};
       const double left = end - monotonic_seconds();
@@ -199,7 +192,7 @@ class child_process {
   }
 
   pid_t pid_ = -1;
-  int pipe_ = -1;  // its other end is in the child, which sees it close
+  int pipe_ = -1;  // its other end is in the child, which detects its closing
 };
 
 }  // namespace passive_haptics

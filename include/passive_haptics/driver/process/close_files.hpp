@@ -1,5 +1,4 @@
-/// @file
-/// The files of its parent that a forked process closes.
+/// Closing of inherited files in a forked process.
 #pragma once
 
 #include <passive_haptics/driver/process/failed_call.hpp>
@@ -19,12 +18,11 @@ namespace passive_haptics::detail {
 
 using kept_files = std::array<int, 2>;
 
-// Of close() no error matters here: the number is free, or was not open
 inline void close_unless_kept(int file, const kept_files& kept) noexcept {
   if (file > STDERR_FILENO && std::find(kept.begin(), kept.end(), file) == kept.end()) close(file);
 }
 
-// False, with errno, where the kernel has no such call (Linux before 5.9) or a filter refuses it
+// False, with errno, if the call is unavailable (Linux before 5.9) or filtered
 inline bool close_ranges(kept_files kept) noexcept {
   std::sort(kept.begin(), kept.end());
   unsigned from = STDERR_FILENO + 1;
@@ -37,21 +35,21 @@ inline bool close_ranges(kept_files kept) noexcept {
   return close_range(from, ~0U, 0) == 0;
 }
 
-// False where the list cannot be read to its end
+// False if the list cannot be read completely
 inline bool close_listed(const kept_files& kept) {
   DIR* const list = opendir("/proc/self/fd");
   if (list == nullptr) return false;
-  std::vector<int> files;  // first all, as closing changes the list
+  std::vector<int> files;  // collected first, because closing changes the list
   errno = 0;
   while (const dirent* const entry = readdir(list)) files.push_back(std::atoi(entry->d_name));  // "." is 0
   const bool whole = errno == 0;
-  closedir(list);  // and once more below: its number is in the list
+  closedir(list);  // its number is in the list, too
   if (whole)
     for (const int file : files) close_unless_kept(file, kept);
   return whole;
 }
 
-// Up to the limit of the numbers; false where that are too many to try each: some containers have 1e9
+// Closes up to this limit; false if that is too many: some containers have 1e9
 inline bool close_up_to(rlim_t limit, const kept_files& kept) noexcept {
   constexpr rlim_t max_files = 1 << 20;  // fs.nr_open of Linux; less than a second
   if (limit > max_files) return false;
@@ -59,7 +57,7 @@ inline bool close_up_to(rlim_t limit, const kept_files& kept) noexcept {
   return true;
 }
 
-// All but the standard descriptors and these; empty, or what is wrong
+// Closes all except the standard descriptors and these; returns an error or an empty string
 inline std::string close_all_but(const kept_files& kept) {
   if (close_ranges(kept)) return {};
   const int why = errno;

@@ -1,5 +1,4 @@
-/// @file
-/// The text of a system call that failed.
+/// Error text of a failed system call.
 #pragma once
 
 #include <cerrno>
@@ -8,7 +7,7 @@
 
 namespace passive_haptics::detail {
 
-// "fork: Resource temporarily unavailable; ", then what helps: of errno, so right after the call
+// "fork: Resource temporarily unavailable; " and a remedy; uses errno
 inline std::string failed_call(const char* call, const char* help) {
   return std::string(call).append(": ").append(std::strerror(errno)).append("; ").append(help);
 }

@@ -1,4 +1,3 @@
-/// @file
 /// The link of a child process to its parent.
 #pragma once
 
@@ -12,16 +11,15 @@
 
 namespace passive_haptics {
 
-/// The child's end of a pipe: the kernel closes the other end when the parent dies. If a process that the
-/// parent forked holds that end open, too, the number of the child's own parent says that it died.
+/// The child's end of a pipe: the kernel closes the other end when the parent dies. If another child of the
+/// parent keeps that end open, the changed parent process number shows the death.
 class parent_link {
  public:
   /// The child's end of the pipe, and the parent's process number.
   parent_link(int pipe, pid_t parent) : pipe_(pipe), parent_(parent) {}
 
-  /// Waits up to `seconds`, less if a signal comes. True if the parent is dead or called
-  /// child_process::stop(), without a wait once the pipe is closed, and if ppoll(2) fails: a child that
-  /// cannot see its parent must not wait for it.
+  /// Waits up to `seconds`, less if a signal arrives. Returns true if the parent is dead or called
+  /// child_process::stop(), and if ppoll(2) fails.
   bool gone_within(double seconds) const noexcept {
     pollfd watched{pipe_, POLLIN, 0};
     const std::int64_t ns = std::llround(1e9 * seconds);

@@ -1,5 +1,4 @@
-/// @file
-/// A value that a process shares with those that it forks.
+/// A value shared with forked processes.
 #pragma once
 
 #include <sys/mman.h>
@@ -10,7 +9,7 @@
 
 namespace passive_haptics {
 
-/// One T in memory that stays shared after fork(). Throws std::bad_alloc if there is none to be had.
+/// One T in memory that stays shared after fork(). Throws std::bad_alloc.
 template <class T>
 class shared_memory {
   static_assert(
@@ -23,17 +22,15 @@ class shared_memory {
     if (memory == MAP_FAILED) throw std::bad_alloc();
     value_ = new (memory) T;
   }
-  /// The value stays where it is.
+  /// Keeps the address of the value.
   shared_memory(shared_memory&& other) noexcept : value_(std::exchange(other.value_, nullptr)) {}
   shared_memory& operator=(shared_memory&&) = delete;
   ~shared_memory() {
-    if (value_ != nullptr) munmap(value_, sizeof(T));  // of what mmap() gave it cannot fail
+    if (value_ != nullptr) munmap(value_, sizeof(T));  // cannot fail for memory of mmap()
   }
 
-  /// The value, the same in each process.
-  T& operator*() const noexcept { return *value_; }
-  /// Its address, the same in each process.
-  T* operator->() const noexcept { return value_; }
+  T& operator*() const noexcept { return *value_; }  ///< The value.
+  T* operator->() const noexcept { return value_; }  ///< Address of the value, equal in each process.
 
  private:
   T* value_;

@@ -1,5 +1,4 @@
-/// @file
-/// A queue from a loop that must not wait to a process that may.
+/// A queue from a real-time loop to another process.
 #pragma once
 
 #include <array>
@@ -9,8 +8,8 @@
 
 namespace passive_haptics {
 
-/// Up to Capacity (a power of two) records from one producer to one consumer, which may be another process
-/// (shared_memory<shared_ring<...>>). Neither locks or waits; what does not fit is counted and lost.
+/// Up to Capacity (a power of two) records from one producer to one consumer, possibly in another process
+/// (shared_memory<shared_ring<...>>). Neither locks or waits; records that do not fit are counted and lost.
 template <class Record, std::size_t Capacity>
 class shared_ring {
   static_assert(std::is_trivially_copyable_v<Record>,
@@ -19,7 +18,7 @@ class shared_ring {
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
  public:
-  /// False where it is full: the record is lost, and lost() one more.
+  /// Returns false and counts the record as lost if the queue is full.
   bool push(const Record& record) noexcept {
     const std::uint64_t at = pushed_.load(std::memory_order_relaxed);
     if (at - popped_.load(std::memory_order_acquire) >= Capacity) {
@@ -31,7 +30,7 @@ class shared_ring {
     return true;
   }
 
-  /// False where there is none.
+  /// Returns false if the queue is empty.
   bool pop(Record& record) noexcept {
     const std::uint64_t at = popped_.load(std::memory_order_relaxed);
     if (at == pushed_.load(std::memory_order_acquire)) return false;
@@ -40,13 +39,13 @@ class shared_ring {
     return true;
   }
 
-  /// Records that fitted, taken or not.
+  /// Number of records that fitted.
   std::uint64_t pushed() const noexcept { return pushed_.load(std::memory_order_acquire); }
-  /// Records that did not fit.
+  /// Number of records that did not fit.
   std::uint64_t lost() const noexcept { return lost_.load(std::memory_order_relaxed); }
 
  private:
-  // Apart, so that the two sides do not fight for one cache line
+  // Separate cache lines for the two sides
   alignas(64) std::atomic<std::uint64_t> pushed_ = 0;
   std::atomic<std::uint64_t> lost_ = 0;
   alignas(64) std::atomic<std::uint64_t> popped_ = 0;

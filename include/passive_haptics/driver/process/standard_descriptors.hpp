@@ -1,5 +1,4 @@
-/// @file
-/// Standard input, output and error output of a process that was started without them.
+/// Standard descriptors of a process that was started without them.
 #pragma once
 
 #include <fcntl.h>
@@ -10,22 +9,18 @@
 
 namespace passive_haptics {
 
-/// Opens /dev/null in place of each of the descriptors 0, 1 and 2 that is closed, as under some service
-/// managers and after `>&-`. Without this call the next file, socket or serial line of the program gets the
-/// free number, and what the program prints goes to the device.
-///
-/// The place of the call is the first line of main(), before any file, thread or process. The function
-/// allocates nothing and is async-signal-safe; a descriptor that is open stays as it is. False, with errno,
-/// where a descriptor is still closed, as without a file /dev/null: the program must end then.
+/// Opens /dev/null for each closed descriptor 0, 1 and 2; otherwise the next file, socket or serial line
+/// would get the free number and the program's output. Call it first in main(). Does not allocate;
+/// async-signal-safe. Returns false, with errno, if a descriptor is still closed: the program must then end.
 inline bool open_standard_descriptors() noexcept {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(number, F_GETFD) >= 0) continue;
     if (errno != EBADF) return false;
-    // The lowest free number, as those below are open; kept open by exec(), as standard descriptors are
+    // The lowest free number; kept open by exec()
     const int opened = open("/dev/null", O_RDWR);
     if (opened == number) continue;
     if (opened < 0) return false;
-    close(opened);  // another thread was quicker; of this no error matters
+    close(opened);  // another thread was faster
     errno = EBADF;
     return false;
   }
@@ -34,8 +29,7 @@ inline bool open_standard_descriptors() noexcept {
 
 namespace detail {
 
-// The file in `descriptor`, from number 3 on: the numbers 0 to 2 are free in a program that was started
-// without them, and what it prints must not go there. -1, with errno, where there is none.
+// Moves a descriptor to number 3 or more; 0 to 2 may be free. -1, with errno, on failure.
 inline int above_standard_descriptors(int descriptor) noexcept {
   if (descriptor < 0 || descriptor > STDERR_FILENO) return descriptor;
   const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);

@@ -1,5 +1,4 @@
-/// @file
-/// A second process that releases the brakes when the loop's process cannot.
+/// A process that releases the brakes if the loop's process cannot.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -26,23 +25,20 @@
 
 namespace passive_haptics {
 
-/// How long a supervisor waits.
+/// Parameters of supervisor.
 struct supervisor_parameters {
-  double timeout = 0.010;  ///< Without a heartbeat for so long, the brakes are released [s].
-  int priority = 0;        ///< SCHED_FIFO priority of its process, over the loop's; 0 for none.
+  double timeout = 0.010;  ///< Maximum time without a heartbeat [s].
+  int priority = 0;        ///< SCHED_FIFO priority of its process, above the loop's; 0 for none.
 
-  /// From one look to the next [s]: it looks four times in a timeout.
-  double look() const noexcept { return timeout / 4; }
-  /// How long after the last heartbeat it acts at the latest [s], if it is woken at most `wake_up` [s] late:
-  /// one look until it notices that heartbeat, and four until the timeout is over.
+  double look() const noexcept { return timeout / 4; }  ///< Interval of its checks [s].
+  /// Maximum time from the last heartbeat to the release [s], with wake-up delays of at most `wake_up` [s]:
+  /// one check to notice that heartbeat, and four for the timeout.
   double latest(double wake_up = 0) const noexcept { return 5 * (look() + wake_up); }
-  /// How long it may not be seen by the loop before it counts as lost [s].
+  /// Time without a check after which the loop considers it lost [s].
   double lost() const noexcept { return std::max(0.1, timeout); }
-  /// From one current of a release to the next [s].
-  static constexpr double release_interval = 2e-3;
+  static constexpr double release_interval = 2e-3;  ///< Interval of the currents of a release [s].
 
   static constexpr const char* type_name = "the supervisor";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = supervisor_parameters;
     return member_table(member("timeout", &p::timeout, "s", range::between(0.004, 10)),
@@ -50,14 +46,11 @@ struct supervisor_parameters {
   }
 };
 
-/// Analog outputs keep their last value when a process dies. A supervisor is a process with a port of its own
-/// to the same device; it releases the brakes, as the release policy says, when the loop's process dies
-/// (their pipe closes) or its heartbeat stops for `timeout`, as of SIGSTOP or a cycle that hangs. It looks
-/// four times in that time, so it is never later than 1.25 timeouts if it gets the processor; and it goes on
-/// until rearm(). Where the loop does not come back it gives 0 A after release_parameters::max_duration().
-/// Where loop and supervisor are both dead, or stopped, the device's own watchdog is what is left.
-///
-/// Start it before the loop's real-time set-up and before any thread.
+/// A process with its own port to the device, because analog outputs keep their last value when a process
+/// dies. It releases the brakes by the release policy if the loop's process dies (their pipe closes) or its
+/// heartbeat stops for `timeout`, within 1.25 timeouts, and continues until rearm(). If the loop does not
+/// return, it sets 0 A after release_parameters::max_duration(). If both are dead or stopped, only the
+/// device's watchdog remains. Start it before the loop's real-time set-up and before any thread.
 template <class Port>
 class supervisor {
   static_assert(is_port<Port, explain>());
@@ -66,25 +59,24 @@ class supervisor {
       "passive_haptics: a supervisor may wait, so it takes the port itself: threaded_port::port_type");
 
  public:
-  static constexpr int brake_count = Port::brake_count;  ///< Brakes.
+  static constexpr int brake_count = Port::brake_count;  ///< Number of brakes.
   using currents = brake_currents<brake_count>;          ///< [A]
 
-  /// The port must not be open. The release policy and the limits of the currents are the safe_port's. Throws
-  /// std::invalid_argument with the text of validate() of what is wrong.
+  /// The port must not be open. Release policy and current limits should be those of the safe_port. Throws
+  /// std::invalid_argument with the text of validate().
   explicit supervisor(Port port, const supervisor_parameters& p = {},
                       const release_parameters& at_release = {},
                       const current_limits<brake_count>& limits = {})
       : port_(std::move(port)), p_(require_valid(p)), release_(at_release), limiter_(limits) {}
 
-  /// Forks the process, which opens its port; empty, or why it could not.
+  /// Forks the process, which opens its port. Returns an error or an empty string.
   std::string start() {
     return child_.start([this] { return port_.open(); }, [this](parent_link parent) { watch(parent); });
   }
 
-  /// The heartbeat, once a cycle, with its time [s, CLOCK_MONOTONIC] and what flows [A]; the first one starts
-  /// the watch. If a current is NaN, what flows is unknown (safe_port::applied()): then it is no heartbeat.
-  /// False where the supervisor released the brakes, or has not been seen for 0.1 s, or for `timeout` where
-  /// that is longer: release them here, too, from where it began().
+  /// Heartbeat, once per cycle, with its time [s, CLOCK_MONOTONIC] and the applied currents [A]; NaN currents
+  /// do not count. Returns false if the supervisor released the brakes or was not seen for lost() seconds:
+  /// release them in the loop, too, from began() on.
   bool beat(double now, const currents& flowing) noexcept {
     if (std::all_of(flowing.begin(), flowing.end(), [](double current) { return std::isfinite(current); })) {
       store(shared_->flowing, flowing);
@@ -99,33 +91,32 @@ class supervisor {
     return alive_ && !released();
   }
 
-  /// Whether it was there at the last beat: nothing is to be rearmed without it.
+  /// True if it was seen at the last beat; required for rearming.
   bool alive() const noexcept { return alive_; }
 
-  /// Whether it released the brakes.
+  /// True if it released the brakes.
   bool released() const noexcept { return shared_->released.load(std::memory_order_acquire); }
-  /// Where it began to, so that the loop goes on from there; none where it did not.
+  /// Start of its release, for the loop to continue; empty without a release.
   std::optional<release_start<brake_count>> began() const noexcept {
     if (!released()) return {};
     return release_start<brake_count>{shared_->began.load(std::memory_order_relaxed), load(shared_->from)};
   }
-  /// Lets the loop's currents flow again.
+  /// Allows the loop's currents again.
   void rearm() noexcept { shared_->released.store(false, std::memory_order_release); }
-  /// Ends it, after the loop released the brakes: it gives 0 A once more. It takes two seconds at most, and a
-  /// third where it must be killed.
+  /// Ends it after the loop released the brakes, with a last 0 A. Takes two seconds at most, three if it is
+  /// killed.
   void stop() noexcept {
     shared_->dismissed.store(true, std::memory_order_release);
     child_.stop(2);
   }
-  /// Its process number; <= 0 if it does not run.
-  pid_t pid() const noexcept { return child_.pid(); }
+  pid_t pid() const noexcept { return child_.pid(); }  ///< Process number; <= 0 if it does not run.
 
  private:
   using shared_currents = std::array<std::atomic<double>, static_cast<std::size_t>(brake_count)>;
   struct heart {
     std::atomic<std::uint32_t> beats = 0, looks = 0;
     std::atomic<bool> released = false, dismissed = false;
-    shared_currents flowing{}, from{};  // what the loop gives, and what flowed when the release began [A]
+    shared_currents flowing{}, from{};  // currents of the loop, and at the start of the release [A]
     std::atomic<double> began = 0;      // [s]
   };
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
@@ -153,7 +144,7 @@ class supervisor {
       last = beats;
       silent = now - beaten > p_.timeout;
       if (silent && !released()) begin(now);
-      // A loop that beats gives the currents of a release itself; of 0 A nothing else can be said
+      // A live loop applies the currents of a release itself; 0 A is safe from both
       if (released() && !silent) release_.attend(now);
       if (released() && (silent || release_.is_at_once())) give(now);
       else learn(now);
@@ -161,11 +152,11 @@ class supervisor {
     }
     if (!shared_->dismissed.load(std::memory_order_acquire)) {
       double now = monotonic_seconds();
-      const bool ended = released() && release_.over(now);  // and nobody rearmed since
+      const bool ended = released() && release_.over(now);  // and not rearmed since
       if (!silent && !ended) begin(now);
       for (; !release_.over(now); now = monotonic_seconds()) {
         give(now);
-        // If that fails, currents are given more often, and no longer
+        // On failure, currents are repeated more often, but not for longer
         poll(nullptr, 0, static_cast<int>(1e3 * p_.release_interval));
       }
     }
@@ -179,20 +170,19 @@ class supervisor {
     shared_->released.store(true, std::memory_order_release);
   }
 
-  // What the release policy says, as far as the coils bear it
+  // Applies the release policy within the coil limits
   void give(double now) noexcept {
     if (release_.over(now)) port_.release();
     else port_.write(limiter_(release_(now), now - looked_));
     looked_ = now;
   }
-  // How warm the coils get by the loop's currents
+  // Tracks coil heating by the loop's currents
   void learn(double now) noexcept {
     limiter_(load(shared_->flowing), now - looked_);
     looked_ = now;
   }
 
-  // A refusal changes nothing but how soon the supervisor acts, which still releases: so it is not reported,
-  // and sched_getscheduler(pid()) says what was granted
+  // Failures only delay the supervisor and are not reported; see sched_getscheduler(pid())
   void be_quick() noexcept {
     mlockall(MCL_CURRENT | MCL_FUTURE);
     if (p_.priority == 0) return;
@@ -207,8 +197,8 @@ class supervisor {
   current_limiter<brake_count> limiter_;
   shared_memory<heart> shared_;
   child_process child_;
-  double looked_ = 0;                                       // the supervisor, before [s]
-  std::uint32_t looks_ = 0;                                 // as the loop saw them
+  double looked_ = 0;                                       // last check of the supervisor [s]
+  std::uint32_t looks_ = 0;                                 // as seen by the loop
   double seen_ = -std::numeric_limits<double>::infinity();  // [s]
   bool alive_ = false;
 };

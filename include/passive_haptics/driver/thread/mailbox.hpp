@@ -1,5 +1,4 @@
-/// @file
-/// The newest value of one thread, for one other that must not wait.
+/// Exchange of the latest value between two threads.
 #pragma once
 
 #include <array>
@@ -8,21 +7,20 @@
 
 namespace passive_haptics {
 
-/// A triple buffer: one thread puts, one other takes the newest, whole; what was not taken in time is
-/// replaced. Wait-free: a few instructions on each side, whatever the other does.
+/// A wait-free triple buffer: one thread puts values, one other takes the latest; older ones are replaced.
 template <class T>
 class mailbox {
   static_assert(std::is_trivially_copyable_v<T>, "passive_haptics: a value is copied between threads");
   static_assert(std::atomic<unsigned>::is_always_lock_free);
 
  public:
-  /// By one thread alone.
+  /// Only for the producer.
   void put(const T& value) noexcept {
     slots_[writing_].value = value;
     writing_ = handed_over_.exchange(writing_ | fresh, std::memory_order_acq_rel) & ~fresh;
   }
 
-  /// By one other thread alone. False, and `to` stays, where none came since.
+  /// Only for the consumer. Returns false and leaves `to` if there is no new value.
   bool take(T& to) noexcept {
     if ((handed_over_.load(std::memory_order_relaxed) & fresh) == 0) return false;
     reading_ = handed_over_.exchange(reading_, std::memory_order_acq_rel) & ~fresh;
@@ -31,11 +29,11 @@ class mailbox {
   }
 
  private:
-  // Apart, so that the two sides do not fight for one cache line
+  // Separate cache lines for the two sides
   struct alignas(64) slot {
     T value{};
   };
-  static constexpr unsigned fresh = 4;  // flag beside the number of a slot: not taken yet
+  static constexpr unsigned fresh = 4;  // flag of a slot that was not taken yet
 
   std::array<slot, 3> slots_;
   alignas(64) unsigned writing_ = 0;

@@ -1,5 +1,4 @@
-/// @file
-/// A thread that looks again and again.
+/// A polling thread.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -18,43 +17,38 @@
 
 namespace passive_haptics {
 
-/// How often a thread looks.
+/// Parameters of polling_thread.
 struct polling_parameters {
-  double pause = 1e-4;  ///< From one look to the next [s]: a tenth of section 5.1's cycle.
+  double pause = 1e-4;  ///< Time between two looks [s]: a tenth of section 5.1's cycle.
 
   static constexpr const char* type_name = "a polling thread";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     return member_table(member("pause", &polling_parameters::pause, "s", range::between(1e-6, 1)));
   }
 };
 
-/// A thread that calls look() from start() to stop(), and once more at its end: what was ordered before
-/// stop() is carried out. Thread and owner share the look, so that one that never returns stays valid. The
-/// thread inherits the scheduling of the thread that starts it (priority, processor); signals go to the
-/// others.
+/// A thread that calls look() from start() to stop(), and once more at its end. Thread and owner share the
+/// look, which stays valid even if it never returns. Inherits the starter's scheduling; receives no signals.
 template <class Look>
 class polling_thread {
  public:
-  /// The longest time that stop() waits for the look under way, beside the pause [s].
+  /// Maximum time that stop() waits for the current look, in addition to the pause [s].
   static constexpr double max_look_time = 1;
 
-  /// A look made of these arguments. Throws std::invalid_argument with the text of validate(p).
+  /// Constructs the look from these arguments. Throws std::invalid_argument with the text of validate(p).
   template <class... Arguments>
   explicit polling_thread(const polling_parameters& p, Arguments&&... arguments)
       : shared_(std::make_shared<shared>(require_valid(p).pause, std::forward<Arguments>(arguments)...)) {}
-  /// The thread goes on; the look stays where it is.
+  /// The thread continues; the look keeps its address.
   polling_thread(polling_thread&& other) noexcept
       : shared_(std::move(other.shared_)), thread_(other.thread_), runs_(std::exchange(other.runs_, false)) {}
   polling_thread& operator=(polling_thread&&) = delete;
   ~polling_thread() { stop(); }
 
-  /// Whether there is a look: it was not moved away.
-  explicit operator bool() const noexcept { return shared_ != nullptr; }
-  /// The look.
-  Look* operator->() const noexcept { return &shared_->look; }
+  explicit operator bool() const noexcept { return shared_ != nullptr; }  ///< False if it was moved from.
+  Look* operator->() const noexcept { return &shared_->look; }            ///< The look.
 
-  /// Starts the thread; empty, or why it could not.
+  /// Starts the thread. Returns an error or an empty string.
   std::string start() {
     auto own = std::make_unique<std::shared_ptr<shared>>(shared_);
     pthread_attr_t attributes;
@@ -68,15 +62,14 @@ class polling_thread {
     pthread_attr_destroy(&attributes);
     runs_ = error == 0;
     if (!runs_) return std::string("a port's thread: ").append(std::strerror(error));
-    own.release();  // the thread's now
+    own.release();  // owned by the thread now
     return {};
   }
 
-  /// Whether it was started and not stopped.
-  bool runs() const noexcept { return runs_; }
+  bool runs() const noexcept { return runs_; }  ///< True if it was started and not stopped.
 
-  /// Ends the thread after one more look. False if the look has not returned after `pause` and max_look_time:
-  /// the thread is left alone with it, and ends when it returns.
+  /// Ends the thread after one more look. Returns false if the look has not returned after `pause` and
+  /// max_look_time: the thread is detached and ends when it returns.
   bool stop() noexcept {
     if (!runs_) return true;
     runs_ = false;
@@ -95,7 +88,7 @@ class polling_thread {
   }
 
  private:
-  static constexpr std::size_t stack = 1 << 20;  // [bytes]; all of it is locked where memory is
+  static constexpr std::size_t stack = 1 << 20;  // [bytes]; locked completely if memory is
 
   struct shared {
     template <class... Arguments>
@@ -111,7 +104,7 @@ class polling_thread {
         std::move(*std::unique_ptr<std::shared_ptr<shared>>(static_cast<std::shared_ptr<shared>*>(given)));
     const monotonic_clock clock;
     for (bool last = false; !last;) {
-      last = own->ends.load(std::memory_order_acquire);  // before the look, which then sees all orders
+      last = own->ends.load(std::memory_order_acquire);  // before the look, which then sees all commands
       own->look();
       if (!last) clock.sleep_until(clock.now() + own->pause);
     }

@@ -1,5 +1,4 @@
-/// @file
-/// A port, or a force sensor, whose transfers may wait, for a loop that must not.
+/// Ports and force sensors with blocking transfers, for a real-time loop.
 #pragma once
 
 #include <passive_haptics/driver/port.hpp>
@@ -13,11 +12,11 @@
 
 namespace passive_haptics {
 
-/// Samples of N channels, from the thread that reads them to the thread that uses them.
+/// Samples of N channels, from a reading thread to another.
 template <int N>
 class sample_mailbox {
  public:
-  /// By the thread that reads: how a read ended.
+  /// For the reading thread: stores the result of a read.
   void put(port_status status, const port_sample<N>& sample) noexcept {
     if (status == port_status::no_sample) return;
     put_.failed = status == port_status::failed;
@@ -29,7 +28,7 @@ class sample_mailbox {
     box_.put(put_);
   }
 
-  /// For the other thread: status and sample of the newest read since the last take().
+  /// For the other thread: status and sample of the latest read since the last take().
   port_status take(port_sample<N>& sample) noexcept {
     const std::uint32_t good = taken_.good, damaged = taken_.damaged;
     box_.take(taken_);
@@ -51,36 +50,34 @@ class sample_mailbox {
   mailbox<arrivals> box_;
 };
 
-/// A BrakePort: the one it is made of, whose read, write and release are called by a thread of its own, which
-/// looks every `pause`. Here they are some loads and stores: no system call, whatever the device, the kernel
-/// or a bus does. open() still may wait.
+/// A BrakePort that calls read, write and release of another port in a thread every `pause`. Its own
+/// functions are a few loads and stores without system calls; only open() may wait.
 ///
-/// read: the newest sample that the thread read since, as old as it says. Else what it found instead.
-/// write: leaves the currents for the thread, which hands each over once and newer ones in place of older. So
-/// nothing feeds a device's watchdog but the loop. The status is that of the currents before; no_sample where
-/// the thread has not come to them yet.
-/// release: from any thread or signal handler. Overtakes currents that still lie here. 0 A leave this
-/// computer after at most `pause` and the transfer under way. If that transfer does not end, 0 A is the
-/// matter of a supervisor (safe_port::applied()) and of the device's watchdog, which gets no currents.
-/// The destructor releases, and waits for the thread at most polling_thread::stop()'s time. A port that is
-/// kept by a transfer longer than that lives on until the transfer ends.
+/// read: the latest new sample of the thread, with its sampling time, or else the thread's status.
+/// write: passes the currents to the thread, which writes each once; newer currents replace older ones, so
+/// only the loop feeds a device's watchdog. Returns the status of the previous currents; no_sample if they
+/// are pending.
+/// release: from any thread or signal handler. Overtakes pending currents. 0 A is sent after at most `pause`
+/// and the current transfer; if that does not end, it is left to a supervisor (safe_port::applied()) and the
+/// device's watchdog. The destructor releases, and waits for the thread at most the time of
+/// polling_thread::stop().
 ///
-/// Start other processes before open(), and set the scheduling before, which the thread inherits. A
-/// supervisor takes the port itself: it may wait, and has to be done when it ends.
+/// Fork other processes and set the scheduling before open(). A supervisor uses the port itself, which may
+/// wait.
 template <class Port>
 class threaded_port {
   static_assert(is_port<Port, explain>());
 
  public:
-  using port_type = Port;                                    ///< What a supervisor takes.
-  static constexpr int encoder_count = Port::encoder_count;  ///< Encoders.
-  static constexpr int brake_count = Port::brake_count;      ///< Brakes.
+  using port_type = Port;                                    ///< Port for a supervisor.
+  static constexpr int encoder_count = Port::encoder_count;  ///< Number of encoders.
+  static constexpr int brake_count = Port::brake_count;      ///< Number of brakes.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit threaded_port(Port port, const polling_parameters& p = {}) : thread_(p, std::move(port)) {}
-  /// The thread goes on; what it was moved from releases nothing.
+  /// The thread continues; the moved-from port releases nothing.
   threaded_port(threaded_port&&) noexcept = default;
-  ~threaded_port() { release(); }  // then the thread's last look carries it out
+  ~threaded_port() { release(); }  // carried out by the thread's last look
 
   /// Opens the port and starts the thread.
   std::string open() {
@@ -88,41 +85,39 @@ class threaded_port {
     return error.empty() ? thread_.start() : error;
   }
 
-  /// See above.
+  /// See the class.
   port_status read(port_sample<encoder_count>& sample) noexcept {
     return thread_.runs() ? thread_->samples.take(sample) : thread_->port.read(sample);
   }
-  /// See above.
+  /// See the class.
   port_status write(const brake_currents<brake_count>& currents) noexcept {
     return thread_.runs() ? thread_->leave(currents) : thread_->port.write(currents);
   }
-  /// See above.
+  /// See the class.
   void release() noexcept {
     if (!thread_) return;  // moved from
     if (thread_.runs()) thread_->releases.fetch_add(1, std::memory_order_release);
     else thread_->port.release();
   }
-  /// Of the port's counters.
+  /// As the port.
   int counter_bits() const noexcept { return passive_haptics::counter_bits(thread_->port); }
-  /// Of the device.
-  double watchdog() const noexcept { return passive_haptics::watchdog(thread_->port); }
+  double watchdog() const noexcept { return passive_haptics::watchdog(thread_->port); }  ///< As the port.
 
  private:
   struct order {
     brake_currents<brake_count> currents{};
     std::uint32_t number = 0;
-    std::uint32_t releases = 0;  // that came before
+    std::uint32_t releases = 0;  // preceding it
   };
   struct answer {
     std::uint32_t number = 0;  // of the order
     port_status status = port_status::ok;
   };
 
-  // What loop and thread share
   struct exchange {
     explicit exchange(Port p) : port(std::move(p)) {}
 
-    Port port;  // the thread's alone while it runs
+    Port port;  // used only by the thread while it runs
     sample_mailbox<encoder_count> samples;
     mailbox<order> orders;
     mailbox<answer> answers;
@@ -138,8 +133,7 @@ class threaded_port {
       return answered || last.status == port_status::failed ? last.status : port_status::no_sample;
     }
 
-    // By the thread. The order before the count, so that no release after which it came is missed; a read
-    // last: it is what may wait
+    // By the thread. The order before the count, so that no earlier release is missed; the read may wait
     void operator()() noexcept {
       order next;
       const bool ordered_anew = orders.take(next);
@@ -157,11 +151,11 @@ class threaded_port {
   polling_thread<exchange> thread_;
 };
 
-/// A ForceSensor in the same way: the one it is made of, read by a thread of its own.
+/// The counterpart of threaded_port for a ForceSensor.
 template <ForceSensor Sensor>
 class threaded_sensor {
  public:
-  static constexpr int channel_count = Sensor::channel_count;  ///< As of the sensor.
+  static constexpr int channel_count = Sensor::channel_count;  ///< As the sensor.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit threaded_sensor(Sensor sensor, const polling_parameters& p = {}) : thread_(p, std::move(sensor)) {}
@@ -171,7 +165,7 @@ class threaded_sensor {
     std::string error = thread_->sensor.open();
     return error.empty() ? thread_.start() : error;
   }
-  /// The newest sample since, else what the thread found instead: some loads and stores.
+  /// The latest new sample of the thread, or else its status; a few loads and stores.
   port_status read(port_sample<channel_count>& sample) noexcept {
     return thread_.runs() ? thread_->samples.take(sample) : thread_->sensor.read(sample);
   }
@@ -180,7 +174,7 @@ class threaded_sensor {
   struct exchange {
     explicit exchange(Sensor s) : sensor(std::move(s)) {}
 
-    Sensor sensor;  // the thread's alone while it runs
+    Sensor sensor;  // used only by the thread while it runs
     sample_mailbox<channel_count> samples;
 
     void operator()() noexcept {

@@ -1,5 +1,4 @@
-/// @file
-/// A brake whose model is chosen at run time.
+/// Brakes with a model chosen at run time.
 #pragma once
 
 #include <passive_haptics/brake/models/brake_model.hpp>
@@ -10,26 +9,25 @@
 
 namespace passive_haptics {
 
-/// One of these Models, of one scalar: for a device whose brakes are not all alike, or a model that a user
-/// names. No heap, no virtual call.
+/// One of these Models, with a common scalar. No heap, no virtual call.
 template <BrakeModel... Models>
 class any_brake {
-  // Two models may have states of one type
+  // Models may share a type of state
   template <class Model>
   struct state_of {
     typename Model::state value;
   };
 
  public:
-  using scalar = typename std::tuple_element_t<0, std::tuple<Models...>>::scalar;  ///< Of all of them.
-  /// A place for the state of each model, of which the one in use remembers in its own.
+  using scalar = typename std::tuple_element_t<0, std::tuple<Models...>>::scalar;  ///< Scalar of all models.
+  /// The states of all models; only that of the model in use changes.
   using state = std::tuple<state_of<Models>...>;
 
-  brake_resistance<scalar> residual;  ///< That of the model.
-  scalar compliance;                  ///< That of the model [rad/(N m)].
+  brake_resistance<scalar> residual;  ///< As the model.
+  scalar compliance;                  ///< As the model [rad/(N m)].
 
-  /// A copy of this model. Implicit, so that it stands wherever an any_brake does. Throws
-  /// std::invalid_argument with the text of validate(model) if the model has a table of parameters.
+  /// Copies the model. Implicit, so that a model converts to any_brake. Throws std::invalid_argument with the
+  /// text of validate(model) if the model has a table of parameters.
   template <class Model>
     requires(std::same_as<Model, Models> || ...)
   any_brake(const Model& model)
@@ -37,7 +35,7 @@ class any_brake {
     if constexpr (Parameters<Model>) require_valid(model);
   }
 
-  /// See BrakeModel.
+  /// As BrakeModel.
   brake_resistance<scalar> advance(scalar dt, scalar command, scalar rate, state& now) const noexcept {
     const auto advance = [&]<class Model>(const Model& model) {
       return model.advance(dt, command, rate, std::get<state_of<Model>>(now).value);
@@ -45,7 +43,7 @@ class any_brake {
     return std::visit(advance, model_);
   }
 
-  /// See InvertibleBrakeModel.
+  /// As InvertibleBrakeModel.
   scalar command_for(scalar torque, scalar rate, const state& now) const noexcept
     requires(InvertibleBrakeModel<Models> && ...)
   {
@@ -55,7 +53,7 @@ class any_brake {
     return std::visit(command_for, model_);
   }
 
-  /// See BrakeModel.
+  /// As BrakeModel.
   scalar torque_limit_at(scalar rate) const noexcept {
     return std::visit([&](const auto& model) { return model.torque_limit_at(rate); }, model_);
   }

@@ -1,5 +1,4 @@
-/// @file
-/// Coulomb friction that follows its command with a first-order lag: the brakes of the paper's section 5.1.
+/// Coulomb friction with a first-order lag, as in section 5.1.
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>
@@ -10,34 +9,29 @@
 
 namespace passive_haptics {
 
-/// Coulomb friction of strength tau,
+/// Coulomb friction of strength tau under the command u [N m],
 ///
 ///     T_b dtau/dt + tau = min(gain u, torque_limit),
 ///
-/// under the command u [N m]; T_b = time_constant where tau rises, fall_ratio time_constant where it falls.
-/// Exact for a command that is constant over a step. The default is a small magnetic-particle brake with the
-/// lag of the paper's section 5.1.
+/// with T_b = time_constant for rising tau and fall_ratio time_constant for falling tau. Exact for a command
+/// that is constant over a step. The default is a small magnetic-particle brake with the lag of section 5.1.
 template <class T>
 struct coulomb_brake {
   using scalar = T;  ///< Scalar.
 
-  /// Largest torque [N m].
-  T torque_limit = brake_parameters<T, 1>().torque_limit[0];
-  /// Time constant of the first-order response [s].
-  T time_constant = brake_parameters<T, 1>().time_constant[0];
-  /// Time constant of a falling strength for that of a rising one [1]; remanence makes it more than 1.
+  T torque_limit = brake_parameters<T, 1>().torque_limit[0];    ///< Maximum torque [N m].
+  T time_constant = brake_parameters<T, 1>().time_constant[0];  ///< Time constant of a rising strength [s].
+  /// Time constant of a falling strength, relative to a rising one [1]; above 1 with remanence.
   T fall_ratio = T(1);
-  /// Real torque for each commanded one [1]; 1 is a brake calibrated without error.
-  T gain = T(1);
-  /// Friction of seals, drag of bearings or the brake's fluid.
-  brake_resistance<T> residual = {};
+  T gain = T(1);  ///< Actual torque per commanded torque [1]; 1 without calibration error.
+  brake_resistance<T> residual = {};  ///< Friction of seals, drag of bearings or fluid.
 
-  /// What it remembers.
+  /// State.
   struct state {
     T strength = T(0);  ///< [N m]
   };
 
-  /// See BrakeModel.
+  /// As BrakeModel.
   brake_resistance<T> advance(T dt, T command, T /*rate*/, state& now) const noexcept {
     const T target = valid_command(gain * command, torque_limit);
     const T lag = target < now.strength ? fall_ratio * time_constant : time_constant;
@@ -45,7 +39,7 @@ struct coulomb_brake {
     return {now.strength, T(0)};
   }
 
-  /// Largest torque [N m], equal at every rate.
+  /// Maximum torque [N m], at any rate.
   T torque_limit_at(T /*rate*/) const noexcept { return torque_limit; }
 
   /// Exact within the limit.
@@ -53,7 +47,6 @@ struct coulomb_brake {
     return valid_command(torque, torque_limit) / gain;
   }
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = coulomb_brake;
     return member_table(member("torque_limit", &p::torque_limit, "N m", range::not_negative),
@@ -70,11 +63,11 @@ constexpr coulomb_brake<T> magnetic_particle_brake() {
   return {.torque_limit = T(7.5), .time_constant = T(0.22), .residual = {.strength = T(0.09)}};
 }
 
-/// The real brakes of mechanism M, a model for each.
+/// One brake model for each brake of mechanism M.
 template <class M, class Model = coulomb_brake<typename M::scalar>>
 using brake_models_of = std::array<Model, static_cast<std::size_t>(M::brake_count)>;
 
-/// Brakes that are what their controller believes: its limits and lags, gain 1, nothing residual.
+/// Brakes with the limits and lags of their controller's parameters, gain 1 and no residual resistance.
 template <class T, int Brakes>
 std::array<coulomb_brake<T>, static_cast<std::size_t>(Brakes)> ideal_brakes(
     const brake_parameters<T, Brakes>& believed) {

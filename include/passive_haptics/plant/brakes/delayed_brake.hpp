@@ -1,5 +1,4 @@
-/// @file
-/// Dead time before any brake.
+/// Dead time of a brake.
 #pragma once
 
 #include <passive_haptics/brake/models/brake_model.hpp>
@@ -8,32 +7,32 @@
 
 namespace passive_haptics {
 
-/// Model that receives each command dead_time later, to the nearest time step. Changes of the command wait
-/// in a queue; one more than Changes lets the oldest act early.
+/// Model that receives each command dead_time later, to the nearest time step. Changes of the command wait in
+/// a queue; if it is full, the oldest change acts early.
 template <BrakeModel Model, int Changes = 64>
 struct delayed_brake {
   using scalar = typename Model::scalar;  ///< Scalar.
 
   Model model = {};  ///< The brake.
-  /// From a command to its first effect [s]: of a bus, a power stage. 2 ms is two cycles at 1 kHz; assumed.
+  /// Time from a command to its first effect [s]; two cycles at 1 kHz, assumed.
   scalar dead_time = scalar(0.002);
 
-  /// What it remembers, beside the model.
+  /// State of the model and the queue.
   struct state : Model::state {
-    /// A command, and when it acts.
+    /// A command and the time at which it acts.
     struct change {
       double due;      ///< [s]
       scalar command;  ///< [N m]
     };
-    std::array<change, std::size_t(Changes)> waiting{};  ///< A ring.
-    int first = 0;                                       ///< The oldest in it.
-    int count = 0;                                       ///< In it.
-    double time = 0;                                     ///< Now [s].
+    std::array<change, std::size_t(Changes)> waiting{};  ///< Ring buffer.
+    int first = 0;                                       ///< Index of the oldest change.
+    int count = 0;                                       ///< Number of waiting changes.
+    double time = 0;                                     ///< Current time [s].
     scalar last = scalar(0);                             ///< The last command [N m].
-    scalar acting = scalar(0);                           ///< What acts [N m].
+    scalar acting = scalar(0);                           ///< Command in effect [N m].
   };
 
-  /// See BrakeModel.
+  /// As BrakeModel.
   brake_resistance<scalar> advance(scalar dt, scalar command, scalar rate, state& now) const noexcept {
     const scalar wanted = command > scalar(0) ? command : scalar(0);
     if (wanted != now.last) {
@@ -48,22 +47,19 @@ struct delayed_brake {
     return model.advance(dt, now.acting, rate, now);
   }
 
-  /// That of the brake [N m].
+  /// As the model [N m].
   scalar torque_limit_at(scalar rate) const noexcept { return model.torque_limit_at(rate); }
 
-  /// The command of the brake, where it can be found; its dead time cannot be undone.
+  /// As the model, if that is invertible; the dead time remains.
   scalar command_for(scalar torque, scalar rate, const state& now) const noexcept
     requires InvertibleBrakeModel<Model>
   {
     return model.command_for(torque, rate, now);
   }
 
-  /// That of the brake.
-  brake_resistance<scalar> residual() const { return residual_of(model); }
-  /// That of the brake [rad/(N m)].
-  scalar compliance() const { return compliance_of(model); }
+  brake_resistance<scalar> residual() const { return residual_of(model); }  ///< As the model.
+  scalar compliance() const { return compliance_of(model); }                ///< As the model [rad/(N m)].
 
-  /// The table of core/parameters.hpp, with that of the model if it has one.
   static constexpr auto members() {
     using p = delayed_brake;
     constexpr auto own = member("dead_time", &p::dead_time, "s", range::not_negative);

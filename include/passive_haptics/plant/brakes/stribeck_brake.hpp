@@ -1,5 +1,4 @@
-/// @file
-/// Dry friction: more at rest than in slip.
+/// Dry friction with a higher torque at rest than in slip.
 #pragma once
 
 #include <passive_haptics/plant/brakes/coulomb_brake.hpp>
@@ -8,22 +7,21 @@
 
 namespace passive_haptics {
 
-/// A coulomb_brake whose strength falls from rest to slip,
+/// A coulomb_brake with a strength that falls from rest to slip,
 ///
 ///     tau g(w),  g(w) = 1 + (static_ratio - 1) exp(-(w / stribeck_rate)^2),
 ///
-/// with tau its lagged command: the torque in fast slip. The steady curve of Canudas de Wit, Olsson, Astrom
-/// and Lischinsky, A new model for control of systems with friction, IEEE Trans. Automatic Control 40(3),
-/// 1995. Defaults: F_S / F_C = 1.5 N / 1 N and v_s = 0.001 m/s of its simulations, at a radius of 20 mm; not
-/// measured at a brake. What such a brake does in presliding, below micrometres, is left out.
+/// where tau is its lagged command: the steady curve of Canudas de Wit, Olsson, Astrom and Lischinsky, A new
+/// model for control of systems with friction, IEEE Trans. Automatic Control 40(3), 1995. Defaults by its
+/// simulations, at a radius of 20 mm; not measured on a brake. Presliding (micrometres) is not modelled.
 template <class T>
 struct stribeck_brake {
   using scalar = T;                                ///< Scalar.
-  using state = typename coulomb_brake<T>::state;  ///< What it remembers.
+  using state = typename coulomb_brake<T>::state;  ///< As the Coulomb friction.
 
-  coulomb_brake<T> coulomb = {};  ///< Its strength in fast slip.
-  T static_ratio = T(1.5);        ///< Strength at rest for that in fast slip [1].
-  T stribeck_rate = T(0.05);      ///< Rate at which 1/e of the difference is left [rad/s].
+  coulomb_brake<T> coulomb = {};  ///< Friction in fast slip.
+  T static_ratio = T(1.5);        ///< Strength at rest relative to fast slip [1].
+  T stribeck_rate = T(0.05);      ///< Rate at which 1/e of the difference remains [rad/s].
 
   /// g(w) [1].
   T factor(T rate) const noexcept {
@@ -31,7 +29,7 @@ struct stribeck_brake {
     return T(1) + (static_ratio - T(1)) * std::exp(-ratio * ratio);
   }
 
-  /// See BrakeModel.
+  /// As BrakeModel.
   brake_resistance<T> advance(T dt, T command, T rate, state& now) const noexcept {
     return {factor(rate) * coulomb.advance(dt, command, rate, now).strength, T(0)};
   }
@@ -44,17 +42,15 @@ struct stribeck_brake {
     return coulomb.command_for(torque / factor(rate), rate, now);
   }
 
-  /// That of the Coulomb friction.
-  const brake_resistance<T>& residual() const { return coulomb.residual; }
+  const brake_resistance<T>& residual() const { return coulomb.residual; }  ///< As the Coulomb friction.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = stribeck_brake;
     return member_table(member("coulomb", &p::coulomb),
                         member("static_ratio", &p::static_ratio, "1", range::at_least(1)),
                         member("stribeck_rate", &p::stribeck_rate, "rad/s", range::positive));
   }
-  /// The strength at rest does not overflow.
+  /// Requires that the strength at rest does not overflow.
   error_message rules() const {
     return check_value("static_ratio torque_limit", torque_limit_at(T(0)), "N m", range::finite);
   }

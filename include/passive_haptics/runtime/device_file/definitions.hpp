@@ -1,8 +1,5 @@
-/// @file
-/// What the other headers of this directory declare without a definition: parse_toml(), the larger part of a
-/// toml_section, read_device() and its steps, and the scene of a device. Exactly one source of a program
-/// includes this header, so that toml++ and scenes are compiled once; in the examples it is
-/// catalogue/device_file.cpp.
+/// Definitions of the other headers of this directory. Include it in exactly one source of a program, so that
+/// toml++ and scenes are compiled once (examples: catalogue/device_file.cpp).
 #pragma once
 
 #include <passive_haptics/runtime/device_file/parse_toml.hpp>
@@ -19,7 +16,7 @@
 
 namespace passive_haptics::detail {
 
-// `type` of a section, one of these, and its parameters over those of the entry.
+// Reads `type`, one of these entries, with default parameters.
 template <class Entry>
 runtime::named_parameters entry_in(runtime::toml_section& from, std::string usual,
                                    const std::vector<Entry>& all, std::string_view reason = {}) {
@@ -31,7 +28,7 @@ runtime::named_parameters entry_in(runtime::toml_section& from, std::string usua
   return chosen;
 }
 
-// What a constructor of the library throws, without the library's name; empty if it throws nothing.
+// Error text of a library constructor without the library's name, empty if it succeeds.
 template <class F>
 std::string error_of(F make) {
   try {
@@ -138,13 +135,13 @@ void toml_section::read_field(const field& f) {
       return read_rows(key, *found, what, f.resize(f.at, found->items.size()), rows, rows, 1);
     }
     case field::kind::numbers: {
-      if (columns > 1) {  // by rows, which are stored column by column
+      if (columns > 1) {  // by rows, but stored column by column
         const std::string what =
             std::to_string(rows) + " rows of " + std::to_string(columns) + " numbers" + meaning;
         if (found->type != kind::list || found->items.size() != rows) state_->expected(key, *found, what);
         return read_rows(key, *found, what, f.numbers(), columns, 1, rows);
       }
-      // A point, a direction, a velocity or an acceleration has components, not values of each axis
+      // Points, directions, velocities and accelerations have components instead of values per axis
       const std::string_view unit = f.about.unit;
       return read_each(key, f.numbers(), rows, meaning,
                        !f.about.hard.is_direction && unit != "m" && unit != "m/s" && unit != "m/s^2");
@@ -243,7 +240,7 @@ void device_reader::read_wall(toml_section& from) {
   for (const named_parameters& one : w.shapes) device.remarks += one.parameters.remarks(part);
 }
 
-// The shape of a section and, in [of], those that it is made of.
+// The shape of a section and, in [of], the shapes that it is made from.
 template <int D>
 void device_reader::read_shape(toml_section& from, std::vector<named_parameters>& shapes) {
   const auto& known = all_.shapes<D>();
@@ -298,7 +295,7 @@ void device_reader::read_law() {
   (error.starts_with("brakes") ? file_.section("brakes") : file_).require(error);
 }
 
-// A need of the law that the device does not meet; empty if it can have the law.
+// A need of the law that the device does not meet; empty if there is none.
 std::string device_reader::missing(const law_entry& law, const any_mechanism& made) const {
   const std::string& type = device.mechanism.name;
   if (law.needs_dynamics && !mechanism().has_inertia) return "inertia, which a " + type + " does not have";
@@ -308,7 +305,7 @@ std::string device_reader::missing(const law_entry& law, const any_mechanism& ma
   return "";
 }
 
-// Throws unless there are controllers under this law, and the device has what it needs.
+// Throws unless controllers under this law are compiled and the device meets its needs.
 void device_reader::require_possible(toml_section& from, const law_entry& law, const any_mechanism& made) {
   const std::string lacks = missing(law, made);
   if (lacks.empty()) return;

@@ -1,5 +1,4 @@
-/// @file
-/// A device by names and numbers: everything that its controller is made of.
+/// A device by names and numbers: all that its controller needs.
 #pragma once
 
 #include <passive_haptics/runtime/catalogue.hpp>
@@ -18,27 +17,27 @@ namespace passive_haptics::runtime {
 
 /// An entry of a catalogue, and its parameters.
 struct named_parameters {
-  std::string name;           ///< In the catalogue.
-  any_parameters parameters;  ///< As its defaults.
+  std::string name;           ///< Name in the catalogue.
+  any_parameters parameters;  ///< Its parameters.
 };
 
 /// A wall by names and numbers.
 struct wall_description {
-  /// The shape; if it is made of another one, as an offset is, that next.
+  /// The shape, followed by the shapes that it is made from (as an offset).
   std::vector<named_parameters> shapes;
   double stiffness = 1e7;                ///< [N/m]
-  std::optional<any_parameters> motion;  ///< A wall_motion of its dimension; none of a wall that stays.
+  std::optional<any_parameters> motion;  ///< wall_motion of its dimension; empty for a wall at rest.
 };
 
-/// The entry of this name. Throws std::invalid_argument if there is none.
+/// The entry with this name. Throws std::invalid_argument if there is none.
 template <class Entry>
 const Entry& entry_of(const std::vector<Entry>& all, const std::string& name) {
   if (const Entry* found = find(all, name)) return *found;
   throw std::invalid_argument("passive_haptics: name = \"" + name + "\", expected one of the catalogue");
 }
 
-/// The shape of a wall from the given one of its shapes on, 0 for all of it; none behind the last one. Throws
-/// std::invalid_argument where a constructor does, or if the catalogue lacks a shape.
+/// The shape of a wall from element `from` of its shapes on, 0 for all of it; empty after the last one.
+/// Throws std::invalid_argument as a constructor, or if the catalogue lacks a shape.
 template <int D>
 std::optional<any_shape<D>> make_shape(const catalogue& all, const wall_description& w, std::size_t from) {
   std::optional<any_shape<D>> made;
@@ -52,7 +51,7 @@ std::optional<any_shape<D>> make_shape(const catalogue& all, const wall_descript
   return made;
 }
 
-/// A wall of D dimensions. Throws as make_shape does.
+/// Makes a wall of D dimensions. Throws as make_shape.
 template <int D>
 any_wall<D> make_wall(const catalogue& all, const wall_description& w) {
   const auto of = make_shape<D>(all, w, 1);
@@ -60,18 +59,17 @@ any_wall<D> make_wall(const catalogue& all, const wall_description& w) {
   return entry_of(all.shapes<D>(), outer.name).make_wall(outer.parameters, of ? &*of : nullptr, w.stiffness);
 }
 
-/// Options of a cycle, as step_options has them.
+/// Options of a cycle, as step_options.
 struct cycle_options {
-  approximation_parameters<double> approximation;  ///< See there.
+  approximation_parameters<double> approximation;  ///< As there.
   saturation limits = saturation::keep_direction;  ///< At a torque limit.
 
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = cycle_options;
     return member_table(member("approximation", &p::approximation),
                         choice("limits", &p::limits, "keep_direction, clamp_each"));
   }
-  /// Those of a controller. The default angle needs no cosine, which another libm rounds in another way.
+  /// Options of a controller. The default angle avoids a cosine, which libraries round differently.
   step_options<double> for_controller() const {
     step_options<double> made;
     if (approximation.max_approximation_angle != approximation_parameters<double>().max_approximation_angle)
@@ -81,20 +79,20 @@ struct cycle_options {
   }
 };
 
-/// A device by names and numbers. The default is the paper's, in front of no wall.
+/// A device by names and numbers. The default is the paper's, without walls.
 struct device_description {
-  named_parameters mechanism{"tendon_two_link", {}};  ///< Of a device file.
+  named_parameters mechanism{"tendon_two_link", {}};  ///< Mechanism.
   brake_numbers brakes;                               ///< As many as the mechanism has.
-  std::vector<named_parameters> brake_models;         ///< Of a simulation: one for each brake, or none.
-  named_parameters law;                               ///< Compiled for the mechanism.
-  cycle_options options;                              ///< Of a cycle.
-  std::vector<wall_description> walls;                ///< Numbered from 0 in a scene.
-  std::vector<named_parameters> effects;              ///< Of the device's dimension.
-  hold_parameters scene;         ///< The scene is sampled so often; with a period of 0 in each cycle.
-  bool has_force_sensor = true;  ///< Else no state has a hand force.
-  std::string remarks;           ///< A line for each value that is allowed but unusual.
+  std::vector<named_parameters> brake_models;         ///< For a simulation: one per brake, or none.
+  named_parameters law;                               ///< Law, compiled for the mechanism.
+  cycle_options options;                              ///< Options of a cycle.
+  std::vector<wall_description> walls;                ///< Walls, numbered from 0 in a scene.
+  std::vector<named_parameters> effects;              ///< Effects of the device's dimension.
+  hold_parameters scene;                              ///< Sampling period; 0 samples in each cycle.
+  bool has_force_sensor = true;                       ///< False if no state has a hand force.
+  std::string remarks;                                ///< One line per allowed but unusual value.
 
-  /// Throws std::invalid_argument where a constructor does, or if `all` lacks a name; so do the others.
+  /// Throws std::invalid_argument as a constructor, or if `all` lacks a name, like the other functions.
   std::unique_ptr<any_mechanism> make_mechanism(const catalogue& all) const {
     return entry_of(all.mechanisms(), mechanism.name).make(mechanism.parameters);
   }

@@ -1,5 +1,4 @@
-/// @file
-/// A device as the text of a device file.
+/// Text of a device file for a device.
 #pragma once
 
 #include <passive_haptics/runtime/device_file/device_description.hpp>
@@ -16,7 +15,7 @@
 
 namespace passive_haptics::detail {
 
-// The shortest text that reads back as this number. TOML bounds whole numbers, so it is never one.
+// Shortest text that reads back exactly. Always real, because TOML limits whole numbers.
 inline std::string toml_number(double x) {
   std::array<char, 32> digits{};
   std::string text(digits.data(), std::to_chars(digits.begin(), digits.end(), x).ptr);
@@ -29,7 +28,7 @@ inline std::string toml_text(std::string_view text) {
   return quoted.append("\"");
 }
 
-// `count` numbers, each `stride` behind the one before.
+// `count` numbers at intervals of `stride`.
 inline std::string toml_list(const double* numbers, std::size_t count, std::size_t stride = 1) {
   std::string list = "[";
   for (std::size_t i = 0; i < count; ++i)
@@ -59,12 +58,12 @@ inline std::string toml_value(const runtime::field& f) {
       if (columns > 1)
         return list_of_lists(rows, [&](std::size_t i) { return toml_list(f.numbers() + i, columns, rows); });
       return rows == 1 ? toml_number(*f.numbers()) : toml_list(f.numbers(), rows);
-    case kind::tables: break;  // have headers of their own
+    case kind::tables: break;  // have their own headers
   }
   return {};
 }
 
-// All keys of a section, then the tables within it.
+// All keys of a section, followed by its tables.
 inline void append_toml(std::string& to, const std::string& section, const runtime::field_list& fields) {
   using kind = runtime::field::kind;
   for (const runtime::field& f : fields)
@@ -81,11 +80,10 @@ inline void append_toml(std::string& to, const std::string& section, const runti
 
 namespace passive_haptics::runtime {
 
-/// The device file of a device, with every key: read_device() makes the same device of it, to the last bit.
-/// Paths of meshes are absolute.
+/// Device file with all keys, which read_device() reads bit-identically. Mesh paths are absolute.
 inline std::string device_text(device_description device) {
   std::string text;
-  std::set<std::string> large;  // keys of values that no device has
+  std::set<std::string> large;  // keys of implausible values
   const auto see = [&](const any_parameters& p) {
     p.for_each_suspicious([&](const char* key, const std::string&) { large.insert(key); });
   };

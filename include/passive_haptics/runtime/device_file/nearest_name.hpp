@@ -1,5 +1,4 @@
-/// @file
-/// The name that a user may have meant.
+/// Suggestions for misspelt names.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +9,7 @@
 
 namespace passive_haptics::runtime {
 
-/// The number of letters to add, remove, replace or exchange with their neighbour that makes one word of the
-/// other.
+/// Number of letters to add, remove, replace or exchange with a neighbour to turn one word into the other.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -36,11 +34,10 @@ std::string one_of(const Names& names) {
   return names.size() == 1 ? all : "one of " + all;
 }
 
-/// "; did you mean "five_bar"?" with the nearest of these names, if it is near: a third of its letters may
-/// differ, and a name may begin with the word. Empty if none is.
+/// "; did you mean "five_bar"?" for a name that begins with the word or differs by a third of its letters.
 template <class Names>
 std::string did_you_mean(std::string_view word, const Names& names) {
-  constexpr std::size_t max_length = 50;  // no name is longer, and the distance costs the product of both
+  constexpr std::size_t max_length = 50;  // no name is longer; the cost is the product of both lengths
   if (word.empty() || word.size() > max_length) return "";
   std::string_view nearest;
   std::size_t smallest = max_length;

@@ -1,17 +1,15 @@
-/// @file
-/// Reads the text of a TOML file by toml++. Exactly one source of a program includes this header; in the
-/// examples it is catalogue/device_file.cpp.
+/// Parsing of TOML by toml++. Include it in exactly one source (examples: catalogue/device_file.cpp).
 #pragma once
 
 #include <passive_haptics/core/text.hpp>
 #include <passive_haptics/runtime/device_file/toml_value.hpp>
 
 /// @cond
-// One of toml++ 3.3 ends the program at a header like [.a], which the next line would report as a mistake
+// One assertion of toml++ 3.3 ends the program at a header like [.a], which the next line would report
 #ifndef TOML_ASSERT
 #define TOML_ASSERT(expression) static_assert(true)
 #endif
-// and takes it for impossible that a letter like U+00E4 follows a key: it is no white space
+// and it considers letters like U+00E4 after a key, which are not white space, impossible
 #include <toml++/impl/preprocessor.h>
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE
@@ -46,7 +44,7 @@ inline runtime::toml_value value_of(const toml::node& node, std::string_view key
     } else if constexpr (toml::is_floating_point<Node>) {
       made.type = kind::number;
       made.number = *value;
-      std::array<char, 32> digits{};  // the fewest that read back as this number
+      std::array<char, 32> digits{};  // the fewest that read back exactly
       made.shown.assign(digits.data(), std::to_chars(digits.begin(), digits.end(), made.number).ptr);
     } else {
       made.type = kind::other;
@@ -66,7 +64,7 @@ inline runtime::toml_value value_of(const toml::node& node, std::string_view key
   return made;
 }
 
-// toml++ bounds how deep brackets are, but takes the tables of a.b.c apart by recursion.
+// toml++ limits the depth of brackets, but handles the tables of a.b.c recursively.
 inline void require_shallow_keys(const std::string& file, const std::string& text) {
   constexpr std::ptrdiff_t max_dots = 200;
   std::istringstream lines(text);

@@ -1,8 +1,6 @@
-/// @file
-/// Reads the sections [mechanism], [brakes], [[brakes.model]], [law], [[walls]], [[effects]] and [scene] of a
-/// device file, and type = "none" of [sensor]. Keys are the names of the parameters (core/parameters.hpp),
-/// and `type` is the name in the catalogue. A program reads other sections from the same toml_section.
-/// Defined in definitions.hpp, which one source of a program includes.
+/// Reading of the sections [mechanism], [brakes], [[brakes.model]], [law], [[walls]], [[effects]] and [scene]
+/// of a device file, and of type = "none" in [sensor]. Keys are the names of parameters, `type` is the name
+/// in the catalogue. A program reads other sections from the same toml_section. Defined in definitions.hpp.
 #pragma once
 
 #include <passive_haptics/runtime/device_file/device_description.hpp>
@@ -13,28 +11,26 @@
 
 namespace passive_haptics::runtime {
 
-/// Reads the parts of a device. Call its functions in their order; a program that knows more about the device
-/// sets members of `device` in between. All of them throw std::invalid_argument with file, line, key, value
-/// and expectation.
+/// Reads the parts of a device. Call its functions in order; a program may set members of `device` in
+/// between. All throw std::invalid_argument with file, line, key, value and expectation.
 class device_reader {
  public:
-  device_description device;  ///< As far as it is read.
+  device_description device;  ///< The parts read so far.
 
-  /// Of an open file, with finish() left to the caller, and of what its names mean.
+  /// An open file and the catalogue for its names. The caller calls finish().
   device_reader(toml_section file, const catalogue& all) : file_(std::move(file)), all_(all) {}
 
   /// Reads [mechanism].
   void read_mechanism();
-  /// Reads [brakes] and [[brakes.model]]. The brakes of `device` are the defaults, if it has any.
+  /// Reads [brakes] and [[brakes.model]]. Existing brakes of `device` are the defaults.
   void read_brakes();
-  /// Reads [[walls]], [[effects]] and [scene]. Without the first two there is the paper's wall, in space a
-  /// floor; `walls = []` is none.
+  /// Reads [[walls]], [[effects]] and [scene]. Without the first two there is the paper's wall, or a floor
+  /// for spatial devices; `walls = []` means no wall.
   void read_scene();
-  /// Reads whether [sensor] has type = "none".
+  /// Detects type = "none" in [sensor].
   void read_sensor();
-  /// Reads [law]. Without a type it is the first law of the catalogue that the device can have, with effects
-  /// the first that displays them: of the library's the recommended one (control/laws/recommended_law.hpp)
-  /// and direct_control. Unless the file has it, the `lead` of a law is the lag of the slowest brake.
+  /// Reads [law]. The default type is the first law of the catalogue that the device can use, with effects
+  /// the first that displays them. The default `lead` of a law is the lag of the slowest brake.
   void read_law();
 
  private:
@@ -52,7 +48,7 @@ class device_reader {
   const catalogue& all_;
 };
 
-/// All these parts of an open file, with finish() left to the caller. Throws as a device_reader does.
+/// Reads all these parts of an open file; the caller calls finish(). Throws as device_reader.
 device_description read_device(const toml_section& file, const catalogue& all);
 
 }  // namespace passive_haptics::runtime

@@ -1,5 +1,4 @@
-/// @file
-/// A table of a TOML file whose every key is checked.
+/// A table of a TOML file with all keys checked.
 #pragma once
 
 #include <passive_haptics/core/parameter_text.hpp>
@@ -24,17 +23,15 @@
 
 namespace passive_haptics::runtime {
 
-/// Keys are read into values that hold their defaults: a key that is not there changes nothing. What cannot
-/// be read, and in finish() what nobody reads, is thrown as std::invalid_argument that names file, line,
-/// key, value and expectation; tables of a list are numbered from 0. Several readers may read one section: a
-/// key that one of them reads is known.
+/// Keys are read into values with defaults; a missing key changes nothing. A value that cannot be read, and
+/// in finish() a key that nobody read, throws std::invalid_argument with file, line, key, value and
+/// expectation.
 class toml_section {
   using kind = toml_value::kind;
 
  public:
-  /// The whole of a file. Throws std::invalid_argument where it is no regular file, over 1 MiB or no TOML.
-  /// The keys that it lists as `allow_large` may have values that no device has, see
-  /// passive_haptics::for_each_suspicious().
+  /// Reads a file. Throws std::invalid_argument unless it is a regular TOML file of up to 1 MiB. The keys
+  /// listed as `allow_large` may have implausible values, see passive_haptics::for_each_suspicious().
   static toml_section file(const std::string& path) {
     constexpr std::uintmax_t max_bytes = 1 << 20;
     std::string text;
@@ -42,7 +39,7 @@ class toml_section {
       throw std::invalid_argument(detail::printable(path + ": " + error));
     return toml_section::text(path, text);
   }
-  /// The whole of a text, as that of a file of this name.
+  /// Reads a text as that of a file of this name.
   static toml_section text(const std::string& name, const std::string& toml) {
     toml_section whole(std::make_shared<state>());
     whole.state_->file = name;
@@ -52,16 +49,16 @@ class toml_section {
     whole.read_allowed();
     return whole;
   }
-  /// A file without any key.
+  /// A file without keys.
   static toml_section nothing() { return text("built-in configuration", ""); }
 
-  /// A number, a whole number, or true or false. meaning: what more the value is expected to be, ": 0 to 99".
+  /// Reads a number, a whole number, or true or false. meaning: more about the expected value, ": 0 to 99".
   template <class T>
     requires std::same_as<T, double> || std::same_as<T, int> || std::same_as<T, bool>
   void read(std::string_view key, T& value, std::string_view meaning = {}) {
     read_each(key, &value, 1, meaning);
   }
-  /// A text without control characters.
+  /// Reads a text without control characters.
   void read(std::string_view key, std::string& value) {
     const toml_value* found = state_->find(key);
     if (found == nullptr) return;
@@ -71,7 +68,7 @@ class toml_section {
       state_->expected(key, *found, "a text without control characters");
     value = found->text;
   }
-  /// One of these words; reason: why these.
+  /// Reads one of these words; reason: explanation of the choices.
   void read(std::string_view key, std::string& value, const std::vector<std::string_view>& choices,
             std::string_view reason = {}) {
     read(key, value);
@@ -82,27 +79,27 @@ class toml_section {
       state_->fail(state_->table, state_->named(key).append(" is missing, expected ").append(all));
     state_->expected(key, *found, all);
   }
-  /// As many as there are values, or one for all of them: for what each brake, joint, axis or channel has.
+  /// Reads one value per element, or one for all: for brakes, joints, axes or channels.
   template <class T>
   void read(std::string_view key, T* values, std::size_t count, std::string_view meaning = {}) {
     read_each(key, values, count, meaning);
   }
-  /// Likewise those of a vector or an array.
+  /// Overload for a vector or an array.
   template <class Values>
     requires requires(Values& v) { v.data(), v.size(); }
   void read(std::string_view key, Values& values, std::string_view meaning = {}) {
     read_each(key, values.data(), static_cast<std::size_t>(values.size()), meaning);
   }
-  /// As many numbers as there are values: for a point, a direction or a row of a matrix.
+  /// Reads one number per element: for a point, a direction or a row of a matrix.
   template <class Values>
   void read_vector(std::string_view key, Values& values, std::string_view meaning = {}) {
     read_vector(key, values.data(), static_cast<std::size_t>(values.size()), meaning);
   }
-  /// Likewise.
+  /// Overload for an array.
   void read_vector(std::string_view key, double* values, std::size_t count, std::string_view meaning = {}) {
     read_each(key, values, count, meaning, false);
   }
-  /// Rows of pairs, as [[0, 0], [0.5, 0.4]]; how many there are, at most `max_pairs`.
+  /// Reads rows of pairs, as [[0, 0], [0.5, 0.4]]; returns their number, at most `max_pairs`.
   std::size_t read_pairs(std::string_view key, double* values, std::size_t max_pairs) {
     const toml_value* found = state_->find(key);
     if (found == nullptr) return 0;
@@ -111,33 +108,31 @@ class toml_section {
     read_rows(key, *found, what, values, 2, 2, 1);
     return found->items.size();
   }
-  /// A key for each field, by its name; of a list of structs, a table [[key]] for each. check() is the
-  /// caller's.
+  /// Reads a key for each field; for a list of structs a table [[key]] each. Does not check().
   void read_fields(const field_list& fields) {
     for (const field& f : fields) read_field(f);
   }
-  /// A key for each member of a struct of parameters (passive_haptics/core/parameters.hpp), those of a struct
-  /// within it among them; then check().
+  /// Reads a key for each member of a parameter struct, including nested members, then calls check().
   template <Parameters P>
   void read_all(P& parameters) {
     field_list fields;
     add_fields(fields, parameters);
     read_fields(fields);
-    // First by themselves: keys lack the name of the struct within
+    // Nested structs first: keys lack their name
     for_each_member(parameters, [&]<class V>(const auto&, const V& value) {
       if constexpr (Parameters<V>) check(value);
     });
     check(parameters);
   }
-  /// Likewise those that are known at run time only.
+  /// Overload for parameters chosen at run time.
   void read_all(any_parameters& parameters) {
     read_fields(parameters.fields());
     require(parameters.error());
     parameters.for_each_suspicious(
         [&](const char* key, const std::string& error) { require_allowed(key, error); });
   }
-  /// Throws what is wrong with the parameters: a range, a rule, a value that no device has and whose key
-  /// is not allowed. The key of a member is its name, unless `keys` has another one.
+  /// Throws the error of a range, a rule, or an implausible value with a key that is not allowed. The key of
+  /// a member is its name, unless `keys` has another one.
   template <Parameters P>
   void check(const P& parameters, const std::map<std::string_view, std::string_view>& keys = {}) const {
     require(validate(parameters));
@@ -146,15 +141,14 @@ class toml_section {
       require_allowed(other == keys.end() ? member.name : other->second, error);
     });
   }
-  /// The table [key]; an empty one if it is not there. form: what is expected of a value that is no table,
-  /// unless it is "a table, [key]".
+  /// The table [key], empty if missing. form: expectation in errors, by default "a table, [key]".
   toml_section section(std::string_view key, const std::string& form = {}) {
     const toml_value* found = state_->find(key);
     if (found != nullptr && found->type != kind::table)
       state_->expected(key, *found, form.empty() ? "a table, [" + state_->named(key) + "]" : form);
     return toml_section(state_->within(state_->named(key), found));
   }
-  /// The tables [[key]]; none of `key = []`.
+  /// The tables [[key]]; empty for `key = []`.
   std::vector<toml_section> sections(std::string_view key) {
     std::vector<toml_section> all;
     const toml_value* found = state_->find(key);
@@ -166,7 +160,7 @@ class toml_section {
           state_->named(key).append("[").append(std::to_string(all.size())).append("]"), &one)));
     return all;
   }
-  /// If the key is there, throws its value and what was expected.
+  /// If the key exists, throws its value and this expectation.
   void refuse(std::string_view key, const std::string& expected) const {
     if (const toml_value* found = state_->find(key)) state_->expected(key, *found, expected);
   }
@@ -174,28 +168,27 @@ class toml_section {
   bool has(std::string_view key) const {
     return state_->table != nullptr && state_->table->find(key) != nullptr;
   }
-  /// A key that another program reads, with all that is in it.
+  /// Skips a key of another program, with its content.
   void pass_over(std::string_view key) {
     if (state_->find(key) != nullptr) state_->allowed->all_are_read = false;
   }
-  /// All keys of this section that are not read: those of another program.
+  /// Skips all unread keys of this section.
   void pass_over_others() {
     if (state_->table == nullptr) return;
     for (const toml_value& one : state_->table->items) pass_over(one.key);
   }
-  /// An old name of a key: where nobody reads it, finish() reports that this is expected.
+  /// Registers an old name of a key, for the message of finish().
   void rename(std::string_view old_key, std::string now) {
     state_->renamed.insert_or_assign(std::string(old_key), std::move(now));
   }
-  /// A path as the file means it: from the directory that the file is in.
+  /// A path relative to the directory of the file.
   std::string beside(const std::string& path) const {
     return (std::filesystem::path(state_->file).parent_path() / path).string();
   }
 
-  /// Throws if a key, here or in a section, was not read.
+  /// Throws if a key of this section or a nested one was not read.
   void finish() const;
-  /// Throws what is wrong with this section, unless that is empty; with the line of the key that the error
-  /// names.
+  /// Throws a non-empty error of this section, with the line of the key in it.
   void require(const std::string& error) const {
     if (error.empty()) return;
     state_->fail(state_->table == nullptr ? nullptr : detail::value_of_error(*state_->table, error),
@@ -204,16 +197,15 @@ class toml_section {
 
  private:
   struct allowed_keys {
-    std::map<std::string, bool, std::less<>> was_large;  // by key: whether a value needed it
-    bool all_are_read = true;                            // else another program may need the others
+    std::map<std::string, bool, std::less<>> was_large;  // by key: true if a value needed it
+    bool all_are_read = true;                            // false if another program may need the others
   };
 
-  // Of a section, shared by its readers.
   struct state {
     std::string file, name;  // name: "brakes" or "walls[0]"
     std::shared_ptr<allowed_keys> allowed;
     std::shared_ptr<const toml_value> root;
-    const toml_value* table = nullptr;  // within root; none if the section is not there
+    const toml_value* table = nullptr;  // within root; null if the section is missing
     std::set<std::string, std::less<>> known;
     std::map<std::string, std::string, std::less<>> renamed;
     std::vector<std::shared_ptr<state>> inner;
@@ -270,7 +262,7 @@ class toml_section {
     to = from.whole != 0;
     return from.type == kind::truth;
   }
-  // Rows of numbers, the first ones `next` apart, those of a row `stride`.
+  // Rows of numbers; `next` between rows, `stride` within a row.
   void read_rows(std::string_view key, const toml_value& list, const std::string& what, double* values,
                  std::size_t count, std::size_t next, std::size_t stride) {
     for (const toml_value& row : list.items) {

@@ -1,5 +1,4 @@
-/// @file
-/// A value of a TOML file with its line: what the readers of device files work on.
+/// Values of a TOML file with their lines.
 #pragma once
 
 #include <algorithm>
@@ -13,28 +12,28 @@
 
 namespace passive_haptics::runtime {
 
-/// A value of a TOML file. The default is an empty table.
+/// A value of a TOML file, by default an empty table.
 struct toml_value {
   /// Type of the value.
   enum class kind {
     table,   ///< Values with keys.
-    list,    ///< Values without.
+    list,    ///< Values without keys.
     text,    ///< Text in quotes.
     truth,   ///< true or false.
     whole,   ///< A whole number.
     number,  ///< Any other number.
     other,   ///< A date or a time.
   };
-  kind type = kind::table;             ///< Of which type.
-  int line = 0;                        ///< In the file, from 1; 0 if the file does not contain it.
-  std::string key = {};                ///< In its table.
-  std::vector<toml_value> items = {};  ///< Of a table, sorted by key; of a list.
-  std::string text = {};               ///< A text.
-  std::string shown = {};              ///< As messages show it; of a table or a list see to_text().
-  std::int64_t whole = 0;              ///< A whole number; of true 1.
-  double number = 0;                   ///< A number; the nearest one of a whole number.
+  kind type = kind::table;             ///< Type.
+  int line = 0;                        ///< Line in the file, from 1; 0 if it is not in the file.
+  std::string key = {};                ///< Key in its table.
+  std::vector<toml_value> items = {};  ///< Elements of a table, sorted by key, or of a list.
+  std::string text = {};               ///< Value of a text.
+  std::string shown = {};              ///< Text in messages; to_text() for tables and lists.
+  std::int64_t whole = 0;              ///< Value of a whole number; 1 for true.
+  double number = 0;                   ///< Value of a number; nearest double of a whole number.
 
-  /// The value of this key of a table; nullptr if there is none.
+  /// The value of a key in a table; nullptr if missing.
   const toml_value* find(std::string_view name) const {
     const auto found = std::ranges::find(items, name, &toml_value::key);
     return type != kind::table || found == items.end() ? nullptr : &*found;
@@ -46,7 +45,7 @@ struct toml_value {
   }
 };
 
-/// In one line, "[ 1, a table ]".
+/// One line of text, "[ 1, a table ]".
 inline std::string to_text(const toml_value& value) {
   if (value.type == toml_value::kind::table) return "a table";
   if (value.type != toml_value::kind::list) return value.shown;
@@ -55,17 +54,15 @@ inline std::string to_text(const toml_value& value) {
   return all.append(value.items.empty() ? "]" : " ]");
 }
 
-/// The table of a text; file: its name in messages. Throws std::invalid_argument with file and line if the
-/// text is not TOML. Defined in parse_toml.hpp, which exactly one source of a program includes, so that
-/// toml++ is compiled once.
+/// Parses a text; file: its name in messages. Throws std::invalid_argument with file and line if the text is
+/// not TOML. Defined in parse_toml.hpp, which exactly one source of a program includes.
 toml_value parse_toml(const std::string& file, const std::string& text);
 
 }  // namespace passive_haptics::runtime
 
 namespace passive_haptics::detail {
 
-// What stands behind the key in a text such as "joints[1].point[0] [m]", or nothing if the key is no word of
-// it.
+// The rest after the key in a text such as "joints[1].point[0] [m]"; empty if the key is not a word of it.
 inline std::optional<std::string_view> behind_key(std::string_view name, std::string_view key) {
   const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   for (auto at = name.find(key); at != std::string_view::npos; at = name.find(key, at + 1)) {
@@ -76,9 +73,8 @@ inline std::optional<std::string_view> behind_key(std::string_view name, std::st
   return std::nullopt;
 }
 
-// The value that an error "NAME = VALUE, expected WHAT" about this table speaks of: that of the longest key
-// in NAME, and if NAME goes on with the number of a table in a list, the value in that table. Without a key
-// it is the table itself.
+// The value of an error "NAME = VALUE, expected WHAT" about this table: that of the longest key in NAME, or,
+// if a number of a table in a list follows, the value in that table. Without a key the table itself.
 inline const runtime::toml_value* value_of_error(const runtime::toml_value& table, std::string_view error) {
   const std::string_view name = error.substr(0, std::min(error.find(" = "), error.find(", expected")));
   std::string_view rest;
@@ -95,7 +91,7 @@ inline const runtime::toml_value* value_of_error(const runtime::toml_value& tabl
   return i < std::min<std::size_t>(10, found->items.size()) ? value_of_error(found->items[i], rest) : found;
 }
 
-// A value or a key may be as long as its file.
+// Values and keys may be as long as their file.
 inline std::string beginning_of(std::string text) {
   constexpr std::size_t max_length = 200;  // characters
   if (text.size() > max_length) text.replace(max_length, text.npos, "...");

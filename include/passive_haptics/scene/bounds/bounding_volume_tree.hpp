@@ -1,8 +1,5 @@
-/// @file
-/// A tree of bounding boxes: which of many are near, without looking at the others.
-///
-/// Eigen's unsupported BVH and Boost.Geometry's R-tree allocate in a query; a control loop must not, and
-/// needs to search a little in each cycle. Hence this tree.
+/// A tree of bounding boxes that can be searched a few nodes at a time and without allocation, which Eigen's
+/// unsupported BVH and Boost.Geometry's R-tree cannot do.
 #pragma once
 
 #include <passive_haptics/core/nth.hpp>
@@ -17,30 +14,28 @@
 
 namespace passive_haptics {
 
-/// A tree of four branches a node over items 0 .. n-1, each known by its box. Immutable: any number of
-/// threads may search it. A search is limited by a function of four_outer_boxes: for each, the least that it
-/// seeks in the box can be, as four floats >= 0, each to four_outer_boxes::rounding. A search visits places
-/// in the order of the leaves, in which items that are near each other stand side by side.
+/// An immutable tree with four branches per node over items 0 .. n-1, each given by its box. Any number of
+/// threads may search it. The bound of a search is a function of four_outer_boxes: for each box the minimum
+/// of the quantity searched for, >= 0 with relative error four_outer_boxes::rounding. Neighbouring items have
+/// neighbouring places.
 template <int D>
 class bounding_volume_tree {
  public:
   using four = typename four_outer_boxes<D>::four;  ///< One value of each box.
 
-  /// Where a search has got to, so that it can go on later. No allocation.
+  /// The state of an interrupted search. Copies do not allocate.
   class search {
    public:
     search() = default;
-    /// As far as it has got.
-    search(const search& other) { *this = other; }
-    /// As far as it has got.
+    search(const search& other) { *this = other; }  ///< A copy.
+    /// A copy.
     search& operator=(const search& other) {
       size_ = other.size_;
       std::copy_n(other.stack_.begin(), size_, stack_.begin());
       return *this;
     }
 
-    /// True if nothing is left to visit.
-    bool done() const { return size_ == 0; }
+    bool done() const { return size_ == 0; }  ///< True if nothing is left to visit.
 
    private:
     friend class bounding_volume_tree;
@@ -48,15 +43,14 @@ class bounding_volume_tree {
       float bound;
       std::int32_t node;
     };
-    // No branch has more than 3/7 of its node's items, so a tree of 2^31 is less than 27 levels deep; each
-    // level leaves three nodes behind.
-    std::array<entry, 3 * 27 + 1> stack_;  // of which the first `size_` are set
+    // Each branch has at most 3/7 of its node's items: 27 levels for 2^31 items, three nodes left per level
+    std::array<entry, 3 * 27 + 1> stack_;  // the first `size_` are set
     int size_ = 0;
   };
 
   bounding_volume_tree() = default;
 
-  /// O(n log n); may allocate. Boxes finite.
+  /// Builds the tree from finite boxes in O(n log n); may allocate.
   explicit bounding_volume_tree(const std::vector<bounding_box<D>>& boxes) {
     if (boxes.empty()) return;
     bounding_box<D> all;
@@ -73,25 +67,22 @@ class bounding_volume_tree {
     for (const centre& c : centres) items_.push_back(c.item);
   }
 
-  /// Number of items.
-  std::size_t size() const { return items_.size(); }
+  std::size_t size() const { return items_.size(); }  ///< Number of items.
 
-  /// Which item stands at a place, 0 <= place < size().
+  /// Returns the item at a place, 0 <= place < size().
   int item(int place) const { return nth(items_, place); }
 
-  /// Largest coordinate of the boxes [m].
-  double scale() const { return scale_; }
+  double scale() const { return scale_; }  ///< Maximum coordinate of the boxes [m].
 
-  /// A search from the root.
+  /// Starts a search at the root.
   search start() const {
     search s;
     if (!nodes_.empty()) nth(s.stack_, s.size_++) = {0, 0};
     return s;
   }
 
-  /// Calls visit(place, bound) for items whose bound is <= limit, those in nearer branches first; visit may
-  /// lower the limit. Up to four items share the bound of a box about them. Opens no more than `budget`
-  /// nodes.
+  /// Continues a search by at most `budget` nodes: calls visit(place, bound) for items with bound <= limit,
+  /// nearer branches first. visit may lower the limit. Up to four items share a bound.
   template <class Bound, class Visit>
   void go_on(search& s, const Bound& bound, double& limit, const Visit& visit,
              int budget = std::numeric_limits<int>::max()) const {
@@ -109,7 +100,7 @@ class bounding_volume_tree {
       const auto top = nth(s.stack_, --s.size_);
       if (!(top.bound <= limit)) continue;
       open(top.node);
-      // One branch alone leads on without the stack, for which the processor would wait
+      // A single branch skips the stack, which would stall the processor
       while (const std::int32_t* on = only_inner(*here, within)) {
         if (budget <= 0) break;
         open(*on);
@@ -125,7 +116,7 @@ class bounding_volume_tree {
     }
   }
 
-  /// The whole search at once: visits all items with bound <= limit, which visit may lower.
+  /// Searches the whole tree: visits all items with bound <= limit, which visit may lower.
   template <class Bound, class Visit>
   void visit_within(const Bound& bound, double limit, const Visit& visit) const {
     search s = start();
@@ -139,11 +130,10 @@ class bounding_volume_tree {
 
   struct node {
     four_outer_boxes<D> boxes;
-    std::array<std::int32_t, 4> first;  // of a leaf its first place; of an inner node its number
-    std::array<std::int32_t, 4> count;  // of items; 0 of an inner node, `empty` of a branch without any
+    std::array<std::int32_t, 4> first;  // first place of a leaf, node number of an inner node
+    std::array<std::int32_t, 4> count;  // items of a leaf; 0 for an inner node, `empty` for no branch
   };
 
-  // An item while the tree is built
   struct centre {
     vector<float, D> at;  // [m]
     std::int32_t item;
@@ -153,14 +143,13 @@ class bounding_volume_tree {
     std::ptrdiff_t size() const { return end - begin; }
   };
 
-  // The number of the only branch within, if that is an inner node
   static const std::int32_t* only_inner(const node& n, unsigned within) {
     if (within == 0 || (within & (within - 1)) != 0) return nullptr;
     const auto k = static_cast<std::size_t>(std::countr_zero(within));
     return n.count[k] == 0 ? &n.first[k] : nullptr;
   }
 
-  // Keeps those pushed since `from` in order, the nearest on top.
+  // Keeps the entries pushed since `from` sorted, the nearest on top.
   static void push(search& s, int from, typename search::entry e) {
     int at = s.size_++;
     for (; at > from && nth(s.stack_, at - 1).bound < e.bound; --at)
@@ -168,8 +157,7 @@ class bounding_volume_tree {
     nth(s.stack_, at) = e;
   }
 
-  // In two at the middle of the longest side of the box about the centres; where that leaves less than a
-  // quarter on one side, in halves of their number.
+  // Splits the longest side of the box about the centres in the middle, or at the median if that is uneven.
   static centre* cut(range r) {
     if (r.size() < 2) return r.end;
     vector<float, D> lower = r.begin->at, upper = lower;
@@ -181,7 +169,7 @@ class bounding_volume_tree {
     (upper - lower).maxCoeff(&axis);
     const float middle = lower[axis] / 2 + upper[axis] / 2;
     centre* at = r.begin;
-    for (centre* c = r.begin; c != r.end; ++c) {  // std::partition, without branches that cannot be foretold
+    for (centre* c = r.begin; c != r.end; ++c) {  // std::partition without unpredictable branches
       const bool low = c->at[axis] < middle;
       std::swap(*c, *at);
       at += low;
@@ -194,7 +182,7 @@ class bounding_volume_tree {
     return at;
   }
 
-  // Makes the node of these items and all below it, and returns the box about them.
+  // Builds the node of these items and its subtree; returns their box.
   bounding_box<D> build(const std::vector<bounding_box<D>>& boxes, range all, const centre* first) {
     const auto at = nodes_.size();
     nodes_.emplace_back();
@@ -222,8 +210,8 @@ class bounding_volume_tree {
   }
 
   std::vector<node> nodes_;
-  std::vector<std::int32_t> items_;  // by their places
-  double scale_ = 0;                 // largest coordinate [m]
+  std::vector<std::int32_t> items_;  // by place
+  double scale_ = 0;                 // maximum coordinate [m]
 };
 
 }  // namespace passive_haptics

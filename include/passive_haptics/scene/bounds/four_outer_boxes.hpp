@@ -1,5 +1,4 @@
-/// @file
-/// Four boxes side by side: what a node of a tree of boxes is looked at with.
+/// Four boxes in SIMD lanes, one node of a tree of boxes.
 #pragma once
 
 #include <passive_haptics/core/linear/lane_products.hpp>
@@ -11,7 +10,7 @@
 
 namespace passive_haptics {
 
-/// Four boxes in T side by side, looked at together. Each is grown by what its coordinates may lose.
+/// Four boxes in the lanes of T. Each is enlarged by the rounding of its coordinates.
 template <int D, class T = float>
 struct four_outer_boxes {
   using four = lanes<T, 4>;  ///< One value of each box.
@@ -20,7 +19,7 @@ struct four_outer_boxes {
   std::array<four, static_cast<std::size_t>(D)> upper;  ///< Upper ends by axis [m].
 
   four_outer_boxes() = default;
-  /// Four that hold these, whose coordinates are up to `scale` [m].
+  /// Four boxes that contain the given ones, with coordinates up to `scale` [m].
   four_outer_boxes(const std::array<bounding_box<D>, 4>& boxes, double scale) {
     const double margin = 4 * epsilon * scale;
     const auto box = [&](int k) -> const bounding_box<D>& { return nth(boxes, k); };
@@ -31,7 +30,7 @@ struct four_outer_boxes {
     });
   }
 
-  /// Squares of the distances from x to the boxes [m^2], to `rounding`; 0 inside.
+  /// Squared distances from x to the boxes [m^2], with relative error `rounding`; 0 inside.
   four squared_distances(const vector<T, D>& x) const {
     four sum(T(0));
     unrolled<D>([&](auto i) {
@@ -42,13 +41,13 @@ struct four_outer_boxes {
     return sum;
   }
 
-  static constexpr T rounding = 8 * std::numeric_limits<T>::epsilon();  ///< Relative, of a distance.
+  static constexpr T rounding = 8 * std::numeric_limits<T>::epsilon();  ///< Relative error of a distance.
 
  private:
   static constexpr T epsilon = std::numeric_limits<T>::epsilon();
 };
 
-/// How far each of four boxes is from x [m^2]: what limits a search for what is near.
+/// Returns the bound of a search near x: the squared distances of four boxes from x [m^2].
 template <int D>
 auto squared_distance_from(const point<D>& x) {
   const vector<float, D> from = x.template cast<float>();

@@ -1,5 +1,4 @@
-/// @file
-/// A polygon cut into triangles.
+/// Triangulation of polygons.
 #pragma once
 
 #include <passive_haptics/core/nth.hpp>
@@ -16,10 +15,8 @@ namespace passive_haptics::detail {
 
 using index_triangle = std::array<int, 3>;
 
-/// Cuts off corner after corner between two neighbours that see each other (G. H. Meisters, Polygons have
-/// ears, American Mathematical Monthly 82 (6), 1975, pp. 648-651), and looks at the polygon along its area
-/// vector. No triangle is turned over, so that all of them fill the polygon exactly. Of a convex polygon all
-/// triangles meet in its first corner.
+/// Ear clipping (G. H. Meisters, Polygons have ears, American Mathematical Monthly 82 (6), 1975, pp.
+/// 648-651), seen along the area vector. The triangles fill the polygon exactly.
 class ear_clipping {
  public:
   ear_clipping(const std::vector<point<3>>& vertices, std::span<const int> polygon)
@@ -29,7 +26,7 @@ class ear_clipping {
     rounding_ = 1e-9 * whole_.squaredNorm();
   }
 
-  /// False, and nothing is added, if the polygon crosses itself.
+  /// Returns false and adds nothing if the polygon crosses itself.
   bool add_to(std::vector<index_triangle>& triangles) {
     const std::size_t before = triangles.size();
     while (left_.size() > 3) {
@@ -49,9 +46,7 @@ class ear_clipping {
  private:
   int corner(std::size_t i) const { return left_[i % left_.size()]; }
   const point<3>& at(std::size_t i) const { return nth(vertices_, corner(i)); }
-  // The next corner to be cut off. Needles come last: where an edge has corners between its ends, rounding
-  // may put these on either side of it. A triangle without area opens the mesh, so that it is the last
-  // resort.
+  // The next corner to cut off: first ears, then needles (rounding), then triangles without area (open mesh).
   bool find_tip() {
     constexpr double needle = 1e-4;  // height by length
     return find_next([&] { return is_ear(needle); }) || find_next([&] { return is_ear(0); }) ||
@@ -64,11 +59,11 @@ class ear_clipping {
     return false;
   }
   const point<3>& before_tip() const { return at(tip_ + left_.size() - 1); }
-  // Twice the area of a triangle times that of the polygon, > 0 if both run the same way round
+  // Twice the area of a triangle times that of the polygon; > 0 for equal orientation
   double turn(const point<3>& a, const point<3>& b, const point<3>& c) const {
     return cross<double>(b - a, c - a).dot(whole_);
   }
-  // Whether the tip can be cut off, and no other corner is in that triangle or as near to one of its sides
+  // True if the tip can be cut off, and no other corner is inside that triangle or too near to its sides
   bool is_ear(double narrowest) const {
     const point<3>&a = before_tip(), &b = at(tip_), &c = at(tip_ + 1);
     const double least = narrowest * whole_.norm();
@@ -85,25 +80,24 @@ class ear_clipping {
 
   const std::vector<point<3>>& vertices_;
   std::vector<int> left_;
-  std::size_t tip_ = 1;                // of `left_`
+  std::size_t tip_ = 1;                // index in `left_`
   point<3> whole_ = point<3>::Zero();  // twice the area, along the normal
   double rounding_;
 };
 
-/// How a polygon came apart.
 enum class polygon_cut {
-  exact,     ///< Its triangles fill it.
-  twisted,   ///< A quad that crosses itself from each side was cut along the diagonal that folds it less.
-  crossing,  ///< It crosses itself, and was not cut.
+  exact,     ///< The triangles fill the polygon.
+  twisted,   ///< A quad that crosses itself in every projection, cut along the diagonal that folds it less.
+  crossing,  ///< The polygon crosses itself and was not cut.
 };
 
-/// The cosine between the two triangles of a quad that is cut from its corner i, 0 or 1.
+/// Cosine between the normals of the two triangles of a quad that is cut from corner i, 0 or 1.
 inline double flatness(const std::vector<point<3>>& vertices, std::span<const int> quad, std::size_t i) {
   const auto at = [&](std::size_t k) { return nth(vertices, quad[(i + k) % 4]); };
   return normal_of<3>({at(0), at(1), at(2)}).dot(normal_of<3>({at(2), at(3), at(0)}));
 }
 
-/// Adds the triangles of a polygon, whose corners are valid indices of three finite vertices or more.
+/// Adds the triangles of a polygon. Its corners must be three or more valid indices of finite vertices.
 inline polygon_cut cut_polygon(const std::vector<point<3>>& vertices, std::span<const int> polygon,
                                std::vector<index_triangle>& triangles) {
   const std::size_t n = polygon.size();
@@ -123,7 +117,7 @@ inline polygon_cut cut_polygon(const std::vector<point<3>>& vertices, std::span<
     return polygon_cut::exact;
   }
   if (n > 4) return polygon_cut::crossing;
-  constexpr double min_fold_cosine = -0.99985;  // cos 179 deg; two triangles on each other are no surface
+  constexpr double min_fold_cosine = -0.99985;  // cos 179 deg: lying on each other
   const double first = flatness(vertices, polygon, 0), second = flatness(vertices, polygon, 1);
   if (!(first > min_fold_cosine || second > min_fold_cosine)) return polygon_cut::crossing;
   add_fan(first >= second ? 0 : 1);

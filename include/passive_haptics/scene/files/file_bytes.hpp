@@ -1,5 +1,4 @@
-/// @file
-/// A whole file in memory, once its kind and its size are known to be right.
+/// Reading of whole files.
 #pragma once
 
 #include <passive_haptics/scene/files/file_kind.hpp>
@@ -14,9 +13,8 @@
 
 namespace passive_haptics {
 
-/// Reads the file into `bytes`; empty, or what is wrong with it: it is not there, is no regular file, has
-/// more than `max_size` bytes, cannot be read, or is compressed or another kind of file. Never waits for a
-/// FIFO or a device, allocates no more than the file's size.
+/// Reads the file into `bytes`. Returns an error text, empty if there is none: a file that is missing, not
+/// regular, too large, unreadable, compressed or of a foreign kind. Never waits for a FIFO or a device.
 inline std::string read_file(const std::filesystem::path& path, std::string& bytes,
                              std::uintmax_t max_size = std::numeric_limits<std::uintmax_t>::max()) {
   if (std::string error = check_regular_file(path); !error.empty()) return error;
@@ -28,7 +26,7 @@ inline std::string read_file(const std::filesystem::path& path, std::string& byt
   if (!in) return "cannot be read, expected a file that you may read";
   bytes.resize(static_cast<std::size_t>(size));
   in.read(bytes.data(), static_cast<std::streamsize>(size));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));  // it may have become shorter
+  bytes.resize(static_cast<std::size_t>(in.gcount()));  // the file may have become shorter
   return in.bad() ? "cannot be read to its end" : detail::foreign_file_error(bytes);
 }
 

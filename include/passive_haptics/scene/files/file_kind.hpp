@@ -1,5 +1,4 @@
-/// @file
-/// What stands at a path: a device or a FIFO is no place to read a file from or to put one.
+/// The kind of file at a path.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +7,8 @@
 
 namespace passive_haptics {
 
-/// In words: "a regular file", "a directory", "a device", "a FIFO", "a socket", "nothing", "a link to
-/// nothing". Links are followed. Opens nothing, so it never waits.
+/// Returns "a regular file", "a directory", "a device", "a FIFO", "a socket", "nothing" or "a link to
+/// nothing". Follows links; opens nothing, so it never waits.
 inline std::string file_kind(const std::filesystem::path& path) {
   using type = std::filesystem::file_type;
   std::error_code error;
@@ -26,7 +25,7 @@ inline std::string file_kind(const std::filesystem::path& path) {
   }
 }
 
-/// Why nothing is read from there; empty if it is a regular file.
+/// Returns why the path cannot be read as a regular file; empty if it can.
 inline std::string check_regular_file(const std::filesystem::path& path) {
   const std::string kind = file_kind(path);
   if (kind == "a regular file") return "";

@@ -1,5 +1,4 @@
-/// @file
-/// The bytes of a mesh file, read from front to back, and errors that say where in it.
+/// Sequential reading of a mesh file, with errors that give the place in it.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -19,29 +18,24 @@
 
 namespace passive_haptics::detail {
 
-/// Throws std::invalid_argument that names the file.
+/// Throws std::invalid_argument with the name of the file.
 [[noreturn]] inline void fail_mesh_file(const std::filesystem::path& path, const std::string& error) {
   require_no_error(std::string("mesh file ").append(path.string()).append(": ").append(printable(error)));
   std::abort();
 }
 
-/// A word as messages show it; of a long one the begin.
 inline std::string quoted(std::string_view word) {
   constexpr std::size_t max_length = 40;  // characters
   return std::string("'").append(word.substr(0, max_length)).append(word.size() > max_length ? "...'" : "'");
 }
 
-/// Words and values of a file, in order. What is not there or is no such value ends with an error that names
-/// the file, the line of a text or the byte of binary data, what stands there and what was expected.
+/// The words and values of a file, in order. Errors give the file, the line or byte, and the expectation.
 class mesh_source {
  public:
-  /// Reads the whole file. With `joins_lines` a backslash at the end of a line joins the next one to it.
+  /// Reads the whole file. With `joins_lines`, a backslash at the end of a line joins the next line to it.
   explicit mesh_source(std::filesystem::path path, bool joins_lines = false)
       : path_(std::move(path)), joins_lines_(joins_lines), lines_(read_or_fail(path_)) {}
 
-  // ---- text
-
-  /// The lines that words are taken from.
   text_lines& lines() { return lines_; }
   /// The next word of this line; empty at its end.
   std::string_view word_in_line() {
@@ -53,22 +47,20 @@ class mesh_source {
     while (at_ < line_end_ && !is_blank(bytes()[at_])) ++at_;
     return bytes().substr(from, at_ - from);
   }
-  /// The next word, in whatever line; empty at the end of the file.
+  /// The next word, on any line; empty at the end of the file.
   std::string_view word() {
     for (;;) {
       if (const std::string_view found = word_in_line(); !found.empty() || lines_.is_last()) return found;
       next_line();
     }
   }
-  /// Goes to the begin of the next line, or to the end of the file. True if a backslash joins it to the line
-  /// before.
+  /// Goes to the next line, or the end of the file. True if a backslash joins it to the line before.
   bool next_line() {
     if (!in_line_) begin_line();
     at_ = lines_.position();
     in_line_ = lines_.is_last();
     return std::exchange(goes_on_, false);
   }
-  /// A word that stands for a number: the whole of it.
   template <class T>
   T number(std::string_view text, const char* expected) const {
     T value{};
@@ -77,23 +69,19 @@ class mesh_source {
       fail(text, std::string(expected).append(cause_of_no_number(text, lines_.is_last())));
     return value;
   }
-  /// The word that was read last with its line, for a message: "line 7: 'Kd'".
+  /// The place of the last word, for a message: "line 7: 'Kd'".
   std::string place_of(std::string_view found) const {
     return indexed("line ", lines_.number(), ": ")
         .append(!found.empty()     ? quoted(found)
                 : lines_.is_last() ? "the file ends"
                                    : "the line ends");
   }
-  /// Ends with an error about the word that was read last.
   [[noreturn]] void fail(std::string_view found, std::string_view expected) const {
     fail_mesh_file(path_, place_of(found).append(", expected ").append(expected));
   }
-  /// The line of the word that was read last, counted from 1.
-  std::size_t line() const { return lines_.number(); }
+  std::size_t line() const { return lines_.number(); }  ///< The line of the last word, from 1.
 
-  // ---- binary data
-
-  /// The next value, whose bytes stand in this order.
+  /// The next value, in this byte order.
   template <class T>
   T value(std::endian order) {
     char raw[sizeof(T)];
@@ -105,24 +93,18 @@ class mesh_source {
     std::memcpy(&read, raw, sizeof(T));
     return read;
   }
-  /// Goes on to this byte.
   void seek(std::size_t byte) { at_ = byte; }
-  /// The byte that comes next, counted from 0.
-  std::size_t byte() const { return at_; }
-  /// Bytes that were not read yet.
-  std::size_t left() const { return bytes().size() - at_; }
-  /// Whether they fill up the file and mean nothing: zero bytes, Ctrl-Z, blanks and ends of lines.
+  std::size_t byte() const { return at_; }                   ///< Offset of the next byte.
+  std::size_t left() const { return bytes().size() - at_; }  ///< Number of unread bytes.
   bool only_padding_is_left() const {
     return bytes().find_first_not_of(text_lines::padding, at_) == std::string::npos;
   }
-  /// Ends with an error about the byte that comes next.
+  /// Throws an error about the next byte.
   [[noreturn]] void fail_here(std::string_view found, std::string_view expected) const {
     fail_mesh_file(path_, indexed("byte ", at_, ": ").append(found).append(", expected ").append(expected));
   }
 
-  /// All of it.
   std::string_view bytes() const { return lines_.bytes(); }
-  /// Its name.
   const std::filesystem::path& path() const { return path_; }
 
  private:
@@ -149,7 +131,7 @@ class mesh_source {
   bool in_line_ = false, goes_on_ = false;
 };
 
-/// The mesh of a file whose polygons `read(path, polygons)` adds.
+/// Returns the mesh of the polygons that `read(path, polygons)` adds.
 inline mesh_file read_mesh_file(const std::filesystem::path& path, double metres_per_unit,
                                 void (&read)(const std::filesystem::path&, polygons&)) {
   const auto refuse = [&](const std::string& error) {

@@ -1,4 +1,3 @@
-/// @file
 /// Meshes from Wavefront OBJ files.
 #pragma once
 
@@ -15,11 +14,10 @@
 namespace passive_haptics {
 namespace detail {
 
-/// What says nothing of where a surface is.
 inline constexpr std::array<std::string_view, 18> no_geometry_of_obj{
     "vt",     "vn",  "o",  "g",     "s",        "mg",       "usemtl",     "mtllib",    "usemap",
     "maplib", "lod", "vp", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "t"};
-/// Curves, surfaces that are not made of polygons, and other files.
+/// Keywords of curves, free-form surfaces and other files.
 inline constexpr std::array<std::string_view, 8> not_read_of_obj{"curv", "curv2", "surf", "bzp",
                                                                  "bsp",  "cdc",   "cdp",  "call"};
 
@@ -28,8 +26,7 @@ inline bool is_one_of(std::string_view word, std::span<const std::string_view> k
                      [&](std::string_view k) { return is_keyword(word, k); });
 }
 
-/// Whether a word may be the keyword of another program: two letters or more, digits and '_' behind the
-/// first.
+/// True for a possible keyword of another program: a letter, then letters, digits or '_'.
 inline bool is_unknown_keyword(std::string_view word) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   return word.size() > 1 && is_letter(word.front()) && std::all_of(word.begin(), word.end(), [&](char c) {
@@ -37,8 +34,8 @@ inline bool is_unknown_keyword(std::string_view word) {
          });
 }
 
-/// "7", "7/2", "7//3" or "-1/2/3": the index of a vertex, from 1 or back from the last one; those of texture
-/// and normal are not read.
+/// Parses "7", "7/2", "7//3" or "-1/2/3" to the index of the vertex. Indices count from 1, negative ones from
+/// the end. Those of texture and normal are ignored.
 inline int obj_index(const mesh_source& from, std::string_view word, std::size_t vertex_count) {
   const auto count = static_cast<std::int64_t>(vertex_count);
   if (word.front() == '/') from.fail(word, "the number of a vertex");
@@ -69,8 +66,7 @@ inline void read_obj_face(mesh_source& from, polygons& to, std::vector<int>& cor
   to.add(corners, line);
 }
 
-/// Any other line and those that backslashes join to it. A name may end in a backslash, too: no vertex and no
-/// face are passed over for that.
+/// Skips any other line and lines joined by backslashes; an error if a vertex or face would be skipped.
 inline void pass_over_obj_line(mesh_source& from, std::string_view word, polygons& to) {
   if (is_keyword(word, "l") || is_keyword(word, "p")) {
     ++to.not_polygons;
@@ -88,18 +84,18 @@ inline void pass_over_obj_line(mesh_source& from, std::string_view word, polygon
 
 inline void read_obj(const std::filesystem::path& path, polygons& to) {
   mesh_source from(path, true);
-  from.lines().limit_zeros(1);  // the one that ends a text in C
+  from.lines().limit_zeros(1);  // the end of a C string
   to.place_name = "line ";
   std::vector<int> corners;
   for (std::string_view word = from.word(); !word.empty(); word = from.word()) {
     if (is_keyword(word, "v")) {
       read_obj_vertex(from, to);
       from.next_line();
-    } else if (is_keyword(word, "f") || is_keyword(word, "fo")) {  // fo: as old programs write it
+    } else if (is_keyword(word, "f") || is_keyword(word, "fo")) {  // fo: obsolete form
       read_obj_face(from, to, corners);
       from.next_line();
     } else if (word.front() == '#') {
-      from.next_line();  // whose backslash joins nothing
+      from.next_line();  // a backslash in a comment joins nothing
     } else {
       pass_over_obj_line(from, word, to);
     }
@@ -109,14 +105,11 @@ inline void read_obj(const std::filesystem::path& path, polygons& to) {
 
 }  // namespace detail
 
-/// The mesh of an OBJ file whose unit is `metres_per_unit` (1e-3: millimetres): all objects and groups as
-/// one. Polygons are cut into triangles. A face names vertices of lines above it. Lines with keywords of
-/// other programs and a zero byte at the end are passed over; mesh_file says what was. Such a text has no end
-/// of its own: if it is cut off between two lines, no reader can see that.
-///
-/// Throws std::invalid_argument that names file and line, and what was expected: no regular file, not OBJ, an
-/// index out of range, coordinates that are not finite, a polygon that crosses itself, no triangle with an
-/// area, a scale that is not positive. For set-up, never for a control cycle.
+/// Reads an OBJ file with the unit `metres_per_unit` (1e-3: millimetres). All objects and groups become one
+/// mesh; a face may only refer to vertices above it. Lines with keywords of other programs are skipped and
+/// counted. A file that was cut off between two lines is not detected. Throws std::invalid_argument with
+/// file, line and expectation: not a regular file, not OBJ, an index out of range, coordinates that are not
+/// finite, a polygon that crosses itself, no triangle with an area, a scale <= 0. For set-up.
 inline mesh_file read_obj(const std::filesystem::path& path, double metres_per_unit = 1) {
   return detail::read_mesh_file(path, metres_per_unit, detail::read_obj);
 }

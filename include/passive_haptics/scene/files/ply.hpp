@@ -1,4 +1,3 @@
-/// @file
 /// Meshes from PLY files, ASCII and binary.
 #pragma once
 
@@ -14,7 +13,6 @@
 namespace passive_haptics {
 namespace detail {
 
-/// The data behind a header, value by value.
 class ply_values {
  public:
   ply_values(mesh_source& from, const ply_header& header) : from_(from), header_(header) {}
@@ -36,7 +34,7 @@ class ply_values {
       default: return from_.value<std::uint32_t>(header_.order);
     }
   }
-  /// The length of a list, all of which is in the file.
+  /// The length of a list; an error if the rest of the file is too short for it.
   std::size_t length(const ply_property& list) {
     const std::int64_t n = whole(list.count);
     const std::size_t least = header_.is_text ? 1 : size_of(list.type);
@@ -44,16 +42,15 @@ class ply_values {
       fail(indexed("a list of ", n, " values"), "0 or more, and no more than the file has");
     return static_cast<std::size_t>(n);
   }
-  /// Passes over a property; in a text its values may be any words ("-1.#IND").
+  /// Skips a property. In a text its values may be any words ("-1.#IND").
   void skip(const ply_property& p) {
     for (std::size_t n = p.is_list() ? length(p) : 1; n > 0; --n) {
       if (!header_.is_text) real(p.type);
       else if (from_.word().empty()) from_.fail({}, "a value");
     }
   }
-  /// The line of a text, or the byte.
+  /// Line of a text, or byte.
   std::size_t place() const { return header_.is_text ? from_.line() : from_.byte(); }
-  /// What was read last is wrong.
   [[noreturn]] void fail(const std::string& found, std::string_view expected) const {
     if (header_.is_text) from_.fail(found, expected);
     from_.fail_here("before it " + found, expected);
@@ -93,7 +90,7 @@ inline bool is_corner_list(const ply_property& p) {
   return p.name == "vertex_indices" || p.name == "vertex_index";
 }
 
-/// Both elements with what makes them such, and no more rows than the file has bytes for.
+/// Checks the required properties, and that the file is long enough for all rows.
 inline void check_ply_header(const mesh_source& from, const ply_header& header) {
   const auto refuse_unless = [&](bool holds, const char* expected) {
     if (!holds)
@@ -158,13 +155,9 @@ inline void read_ply(const std::filesystem::path& path, polygons& to) {
 
 }  // namespace detail
 
-/// The mesh of a PLY file whose unit is `metres_per_unit` (1e-3: millimetres), in double where the file is.
-/// Polygons are cut into triangles. Other elements and properties are passed over, and zero bytes, Ctrl-Z and
-/// blanks behind the data; mesh_file says how many.
-///
-/// Throws std::invalid_argument that names file and line, or byte, and what was expected. Causes: no regular
-/// file, not PLY, cut off, an index out of range, coordinates that are not finite, a polygon that crosses
-/// itself, no triangle with an area, a scale that is not positive. For set-up, never for a control cycle.
+/// Reads a PLY file with the unit `metres_per_unit` (1e-3: millimetres), in double precision if the file has
+/// it. Other elements and properties are skipped, and padding after the data. Throws std::invalid_argument
+/// with file, place and expectation: as read_obj, or cut off. For set-up.
 inline mesh_file read_ply(const std::filesystem::path& path, double metres_per_unit = 1) {
   return detail::read_mesh_file(path, metres_per_unit, detail::read_ply);
 }

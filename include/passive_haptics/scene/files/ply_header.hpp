@@ -1,5 +1,4 @@
-/// @file
-/// What the header of a PLY file announces.
+/// The header of a PLY file.
 #pragma once
 
 #include <passive_haptics/core/nth.hpp>
@@ -15,7 +14,7 @@
 
 namespace passive_haptics::detail {
 
-/// Types of values, each with its two names.
+/// Types of values, each with two names in files.
 enum class ply_type { none, int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 inline ply_type ply_type_of(std::string_view word) {
@@ -35,39 +34,36 @@ inline std::size_t size_of(ply_type t) {
   return nth(bytes, t);
 }
 
-/// The first of this name, or null.
 template <class Named>
 const Named* find_named(const std::vector<Named>& all, std::string_view name) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Named& x) { return x.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 
-/// A value, or a list of them behind their number.
+/// A value, or a list of values after their number.
 struct ply_property {
   std::string name;
   ply_type type = ply_type::none;
-  ply_type count = ply_type::none;  ///< Of a list the type of its length.
+  ply_type count = ply_type::none;  ///< Type of a list's length.
 
   bool is_list() const { return count != ply_type::none; }
 };
 
-/// Rows of the same properties.
 struct ply_element {
   std::string name;
   std::size_t rows = 0;
   std::vector<ply_property> properties;
 
   const ply_property* find(std::string_view property) const { return find_named(properties, property); }
-  /// The least that its rows can take [bytes].
+  /// Minimum size of a row [bytes].
   std::size_t min_row_size(bool is_text) const {
     std::size_t least = 0;
-    for (const ply_property& p : properties)  // of text a digit and what parts it from the next
+    for (const ply_property& p : properties)  // in a text a digit and a separator
       least += is_text ? 2 : size_of(p.is_list() ? p.count : p.type);
     return least;
   }
 };
 
-/// The elements in the order of their data.
 struct ply_header {
   bool is_text = false;
   std::endian order = std::endian::little;
@@ -76,7 +72,7 @@ struct ply_header {
   const ply_element* find(std::string_view element) const { return find_named(elements, element); }
 };
 
-/// A name as the reader knows it, in small letters if it is one of those that say where a surface is.
+/// A name as the reader compares it: known names in lower case.
 inline std::string ply_name(std::string_view word) {
   constexpr std::array<std::string_view, 9> known{"vertex", "face", "edge",           "tristrips",   "x",
                                                   "y",      "z",    "vertex_indices", "vertex_index"};
@@ -123,8 +119,7 @@ inline void read_ply_format(mesh_source& from, ply_header& header) {
   if (const auto version = from.word_in_line(); version != "1.0") from.fail(version, "version 1.0");
 }
 
-/// From "ply" to "end_header" and the end of its line. Before the first element, where no property can be
-/// meant, lines of other programs are passed over.
+/// Reads to the end of the line "end_header". Skips unknown lines before the first element.
 inline ply_header read_ply_header(mesh_source& from, polygons& to) {
   ply_header header;
   constexpr std::string_view end = "end_header";
@@ -133,7 +128,7 @@ inline ply_header read_ply_header(mesh_source& from, polygons& to) {
     if (from.lines().is_last()) from.fail({}, "'end_header' and the data; the file was cut off");
     from.next_line();
   };
-  const auto next = [&] {  // the first word of the next line that says something
+  const auto next = [&] {  // the first word of the next line that is no comment
     for (;;) {
       end_line();
       const auto word = from.word_in_line();

@@ -1,5 +1,4 @@
-/// @file
-/// Polygons as files have them, and the mesh of their triangles.
+/// Polygons of a file, and the mesh of their triangles.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -18,23 +17,22 @@
 
 namespace passive_haptics::detail {
 
-/// Vertices, polygons one after the other, and what of the file is neither.
 struct polygons {
-  static constexpr std::size_t max_corners = 1000;                           ///< Of one polygon.
+  static constexpr std::size_t max_corners = 1000;                           ///< In one polygon.
   static constexpr std::size_t max_count = std::numeric_limits<int>::max();  ///< Vertices or triangles.
 
   std::vector<point<3>> vertices;
-  std::vector<int> corners;         ///< Of all polygons; each is the index of a vertex, which is to be valid.
-  std::vector<std::size_t> ends;    ///< Where in `corners` each polygon ends.
-  std::vector<std::size_t> places;  ///< Where in the file each polygon is.
-  const char* place_name = "polygon ";  ///< What a place counts.
+  std::vector<int> corners;             ///< Vertex indices of all polygons.
+  std::vector<std::size_t> ends;        ///< End of each polygon in `corners`.
+  std::vector<std::size_t> places;      ///< Place of each polygon in the file.
+  const char* place_name = "polygon ";  ///< Unit of a place.
 
-  std::size_t not_polygons = 0;   ///< Points and lines.
-  std::size_t skipped_bytes = 0;  ///< Behind the end of the data.
-  std::size_t skipped_lines = 0;  ///< Of other programs.
-  std::string first_skipped;      ///< "line 7: 'Kd'"
+  std::size_t not_polygons = 0;  ///< Points and lines.
+  std::size_t skipped_bytes = 0;
+  std::size_t skipped_lines = 0;
+  std::string first_skipped;  ///< "line 7: 'Kd'"
 
-  /// Adds one; its corners must be indices of vertices, at most `max_corners`.
+  /// Adds a polygon with valid vertex indices, at most `max_corners`.
   void add(std::span<const int> polygon, std::size_t place) {
     if (polygon.size() < 3) {
       ++not_polygons;
@@ -44,13 +42,13 @@ struct polygons {
     ends.push_back(corners.size());
     places.push_back(place);
   }
-  /// Counts a line whose keyword is that of another program: "line 7: 'Kd'".
+  /// Counts a line with an unknown keyword, "line 7: 'Kd'".
   void skip_line(const std::string& place) {
     if (skipped_lines++ == 0) first_skipped = place;
   }
 };
 
-/// A copy of a mesh with only the vertices that are used, each place once.
+/// Returns a mesh with only the used vertices, merged by place.
 inline mesh_parameters<3> compact(const mesh_parameters<3>& m) {
   const std::vector<int> first = welded<3>(m.vertices);
   std::vector<int> number(m.vertices.size(), -1);
@@ -69,7 +67,7 @@ inline mesh_parameters<3> compact(const mesh_parameters<3>& m) {
   return used;
 }
 
-/// Cuts all polygons into triangles; empty, or which of them is no polygon, and why.
+/// Cuts all polygons into triangles. Returns an error text, empty if there is none.
 inline std::string cut_all(const polygons& from, const std::vector<point<3>>& vertices,
                            std::vector<index_triangle>& triangles, std::vector<std::size_t>& twisted) {
   std::size_t begin = 0;
@@ -95,7 +93,6 @@ inline std::string cut_all(const polygons& from, const std::vector<point<3>>& ve
   return triangles.size() > polygons::max_count ? "more than 2^31 - 1 triangles, expected fewer" : "";
 }
 
-/// The counts of a file in words.
 inline std::string remarks_on(const mesh_file& file, const std::string& first_twisted,
                               const std::string& first_skipped) {
   std::string all;
@@ -112,7 +109,7 @@ inline std::string remarks_on(const mesh_file& file, const std::string& first_tw
   return all;
 }
 
-/// Makes one mesh of all polygons, with coordinates in metres; empty, or why there is none.
+/// Makes one mesh of all polygons, with coordinates in metres. Returns an error text, empty if there is none.
 inline std::string to_mesh(polygons&& from, double metres_per_unit, mesh_file& file) {
   const auto counted = [](std::size_t n) { return static_cast<int>(std::min(n, polygons::max_count)); };
   if (from.ends.empty()) {
@@ -124,7 +121,7 @@ inline std::string to_mesh(polygons&& from, double metres_per_unit, mesh_file& f
   std::vector<std::size_t> twisted;
   if (std::string error = cut_all(from, all.vertices, all.facets, twisted); !error.empty()) return error;
   for (point<3>& x : all.vertices)
-    if (!all_finite(x)) x.setZero();  // used by no polygon, but NaN has no place in an order
+    if (!all_finite(x)) x.setZero();  // unused vertices; NaN cannot be sorted
   const std::size_t count = all.facets.size();
   file.mesh = compact(without_slivers(std::move(all)));
   file.slivers = static_cast<int>(count - file.mesh.facets.size());

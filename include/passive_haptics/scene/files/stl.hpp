@@ -1,4 +1,3 @@
-/// @file
 /// Meshes from STL files, ASCII and binary.
 #pragma once
 
@@ -15,7 +14,6 @@
 namespace passive_haptics {
 namespace detail {
 
-/// Three vertices of its own for each triangle.
 inline void add_loose_triangle(const std::array<point<3>, 3>& corners, std::size_t place, polygons& to) {
   const int first = static_cast<int>(to.vertices.size());
   to.vertices.insert(to.vertices.end(), corners.begin(), corners.end());
@@ -24,13 +22,12 @@ inline void add_loose_triangle(const std::array<point<3>, 3>& corners, std::size
 
 inline constexpr std::size_t stl_head = 84, stl_triangle = 50;  // [bytes]
 
-/// How many triangles a binary file says that it has.
 inline std::size_t stl_count(mesh_source& from) {
   from.seek(stl_head - sizeof(std::uint32_t));
   return from.value<std::uint32_t>(std::endian::little);
 }
 
-/// What a binary file has behind its triangles is passed over, unless it may be triangles, too.
+/// Skips bytes after the triangles of a binary file; an error if they may be triangles.
 inline void check_end_of_stl(mesh_source& from, std::size_t count, polygons& to) {
   const std::size_t size = stl_head + count * stl_triangle, found = from.bytes().size();
   from.seek(std::min(size, found));
@@ -46,7 +43,7 @@ inline void check_end_of_stl(mesh_source& from, std::size_t count, polygons& to)
   to.skipped_bytes = from.left();
 }
 
-/// 80 bytes of a title, the number of triangles, and of each normal, corners and two bytes.
+/// Format: 80 bytes of title, the number of triangles, and for each a normal, corners and two bytes.
 inline void read_binary_stl(mesh_source& from, polygons& to) {
   const std::size_t count = stl_count(from);
   check_end_of_stl(from, count, to);
@@ -62,8 +59,7 @@ inline void read_binary_stl(mesh_source& from, polygons& to) {
   }
 }
 
-/// "facet normal X Y Z outer loop", three times "vertex X Y Z", "endloop endfacet", behind its first word.
-/// The normal is not read.
+/// Reads a facet after its first word: "normal X Y Z outer loop ... endfacet". Ignores the normal.
 inline void read_ascii_facet(mesh_source& from, polygons& to) {
   const auto expect = [&](std::string_view keyword, std::string_view word) {
     if (!is_keyword(word, keyword)) from.fail(word, quoted(keyword));
@@ -89,8 +85,7 @@ inline void read_ascii_facet(mesh_source& from, polygons& to) {
   add_loose_triangle(corners, line, to);
 }
 
-/// "solid NAME", facets, "endsolid NAME", as often as there are solids. Between them may stand comments, and
-/// lines with a colour.
+/// Reads one or more "solid NAME", facets, "endsolid NAME", with comments and colours in between.
 inline void read_ascii_stl(mesh_source& from, polygons& to) {
   to.place_name = "line ";
   const auto next = [&] {
@@ -125,7 +120,7 @@ inline void read_stl(const std::filesystem::path& path, polygons& to) {
     from.fail_here("a file that large", "fewer triangles");
   const bool has_head = bytes.size() >= stl_head;
   const bool is_whole = has_head && bytes.size() == stl_head + stl_triangle * stl_count(from);
-  // A text has no zero byte, but for the ends of some; a count has one, if it is below 2^24
+  // A text has zero bytes only at its end; a count below 2^24 has one
   const bool has_count = has_head && bytes.substr(0, stl_head).find('\0') != bytes.npos;
   if (is_whole || has_count) return read_binary_stl(from, to);
   read_ascii_stl(from, to);
@@ -133,14 +128,10 @@ inline void read_stl(const std::filesystem::path& path, polygons& to) {
 
 }  // namespace detail
 
-/// The mesh of an STL file whose unit is `metres_per_unit` (1e-3: millimetres). Its normals are not read:
-/// which side is free follows from the order of the corners. Coordinates of binary files have 24 bits. What
-/// stands behind the triangles of a binary file, comments and colours are passed over; mesh_file says what
-/// was.
-///
-/// Throws std::invalid_argument that names file and line, or byte, and what was expected: no regular file,
-/// not STL, cut off, a wrong count of triangles, coordinates that are not finite, no triangle with an area, a
-/// scale that is not positive. For set-up, never for a control cycle.
+/// Reads an ASCII or binary STL file with the unit `metres_per_unit` (1e-3: millimetres). Normals are
+/// ignored: the order of the corners defines the free side. Comments, colours and bytes after the triangles
+/// are skipped and counted. Throws std::invalid_argument with file, place and expectation: as read_obj, cut
+/// off, or a wrong count. For set-up.
 inline mesh_file read_stl(const std::filesystem::path& path, double metres_per_unit = 1) {
   return detail::read_mesh_file(path, metres_per_unit, detail::read_stl);
 }

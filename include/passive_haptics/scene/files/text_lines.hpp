@@ -1,5 +1,4 @@
-/// @file
-/// Lines and numbers of a text, whichever program wrote it.
+/// Lines and numbers of a text.
 #pragma once
 
 #include <passive_haptics/core/text.hpp>
@@ -22,13 +21,13 @@
 
 namespace passive_haptics::detail {
 
-/// True if a word is this keyword, in small letters or capitals; `keyword` is in small letters.
+/// True if a word is this keyword, in lower or upper case; `keyword` is in lower case.
 inline bool is_keyword(std::string_view word, std::string_view keyword) {
   return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
                     [](char c, char letter) { return (c >= 'A' && c <= 'Z' ? c + 32 : c) == letter; });
 }
 
-/// The error of a file that begins with these bytes, if it is another kind of file; else empty.
+/// Returns an error text if the first bytes of a file belong to a foreign kind of file; else empty.
 inline std::string foreign_file_error(std::string_view bytes) {
   using namespace std::string_view_literals;
   constexpr auto unpack = "expected the file itself; unpack it"sv;
@@ -48,16 +47,16 @@ inline std::string foreign_file_error(std::string_view bytes) {
   return "an HTML page, not the file, expected the file itself; download that";
 }
 
-/// True if std::from_chars reads this type. In libc++ before 20 it does not read floating-point types.
+/// True if std::from_chars reads this type. libc++ before 20 lacks floating-point types.
 template <class T>
 concept has_from_chars = requires(const char* p, T& value) { std::from_chars(p, p, value); };
 
 #ifndef _WIN32
-/// std::from_chars of a double, for a standard library that lacks it.
+/// Replaces std::from_chars of a double in a standard library without it.
 inline std::from_chars_result from_chars_by_strtod(const char* begin, const char* end, double& value) {
   static const locale_t c = newlocale(LC_ALL_MASK, "C", nullptr);
   std::string text(begin, end);
-  // strtod also reads a blank or a plus before the number, and hexadecimal digits
+  // strtod also accepts a blank or a plus before the number, and hexadecimal digits
   const std::size_t first = text.starts_with('-') ? 1 : 0;
   if (text.find_first_of("0123456789.iInN", first) != first) return {begin, std::errc::invalid_argument};
   text.resize(std::min(text.find_first_of("xX"), text.size()));
@@ -72,9 +71,8 @@ inline std::from_chars_result from_chars_by_strtod(const char* begin, const char
 }
 #endif
 
-/// The number at the begin of a text, where it ends, and whether it is none or out of range: as
-/// std::from_chars, but a plus may be in front, and "-1.#IND", "1.#QNAN" and "1.#INF", as old programs for
-/// Windows write them, are NaN and infinity.
+/// Parses the number at the start of a text, with the result of std::from_chars. Also accepts a leading plus,
+/// and "-1.#IND", "1.#QNAN" and "1.#INF" of old Windows programs as NaN and infinity.
 template <class T>
 std::from_chars_result read_number(std::string_view text, T& value) {
   const char *begin = text.data(), *const end = begin + text.size();
@@ -95,27 +93,25 @@ std::from_chars_result read_number(std::string_view text, T& value) {
   return read;
 }
 
-/// Why a word that was to be a number is none, to go behind what was expected; empty if it is not known.
+/// The likely cause of a word that is not a number, as the end of a message; empty if unknown.
 inline std::string_view cause_of_no_number(std::string_view word, bool ends_file) {
   if (word.empty() || word.find_first_not_of("0123456789.eE+-,") != word.npos) return "";
   if (word.find(',') != word.npos) return "; write a decimal point instead of the comma";
   return ends_file && std::string_view("eE+-").find(word.back()) != word.npos ? "; the file was cut off" : "";
 }
 
-/// Lines of a text: with the mark of UTF-8 or without, ended by LF, CR LF or, as on old Macs, CR. Zero bytes
-/// and Ctrl-Z, the end of a text under DOS, may fill up the end of the file.
+/// Lines of a text, with or without byte order mark, ended by LF, CR LF or CR; the end may be padded.
 class text_lines {
  public:
-  static constexpr std::string_view padding{"\0\x1a \t\r\n\v\f", 8};  ///< Bytes that mean nothing at the end.
+  static constexpr std::string_view padding{"\0\x1a \t\r\n\v\f", 8};  ///< Padding bytes at the end.
 
-  /// Reads a text in memory.
-  explicit text_lines(std::string text) : bytes_(std::move(text)) {}
-  /// Reads a stream piece by piece. A line has at most `max_length` bytes.
+  explicit text_lines(std::string text) : bytes_(std::move(text)) {}  ///< Reads a text in memory.
+  /// Reads a stream in pieces. A line has at most `max_length` bytes.
   text_lines(std::istream& in, std::size_t max_length) : in_(&in), max_length_(max_length) {}
 
-  /// More zero bytes at the end are an error: if a text has no end of its own, lines may be lost there.
+  /// Allows at most this many zero bytes at the end, since more could hide lost lines.
   void limit_zeros(std::ptrdiff_t max_zeros) { max_zeros_ = max_zeros; }
-  /// Goes to the next line. False at the end of the text, or if there is an error().
+  /// Goes to the next line. Returns false at the end of the text or if there is an error().
   bool next() {
     line_ = std::string_view(bytes_).substr(at_, 0);
     if (is_last_) return false;
@@ -138,17 +134,14 @@ class text_lines {
     at_ = is_last_ ? end : (after_cr_ == find(lf) ? after_cr_ : end) + 1;
     return error_.empty() && (!is_last_ || !line_.empty());
   }
-  /// The line, without its end; until the next call of next().
-  std::string_view line() const { return line_; }
-  /// Its number, from 1; at the end of the text that of the line that would follow.
+  std::string_view line() const { return line_; }  ///< The line without its end, valid until next().
+  /// Line number, from 1; one past the last line at the end of the text.
   std::size_t number() const { return number_; }
-  /// True if nothing follows this line, not even its end.
-  bool is_last() const { return is_last_; }
-  /// The error of this line; empty if there is none.
-  const std::string& error() const { return error_; }
-  /// The number of bytes that fill up the end of the text, once it was reached.
+  bool is_last() const { return is_last_; }  ///< True if nothing follows this line, not even its end.
+  const std::string& error() const { return error_; }  ///< The error of this line; empty if there is none.
+  /// Number of padding bytes, once the end of the text was reached.
   std::size_t padding_size() const { return padding_size_; }
-  /// The part of the text that is in memory, and the position in it at which the next line begins.
+  /// The part of the text in memory, and the position in it of the next line.
   const std::string& bytes() const { return bytes_; }
   std::size_t position() const { return at_; }
 
@@ -159,13 +152,13 @@ class text_lines {
   void fail(const std::string& error) {
     if (error_.empty()) error_ = error;
   }
-  // The first of these characters that was not read yet, by a search that is done once
+  // The first of these characters not yet read; searched only once
   std::size_t find(mark m) {
     if (marks_[m] == unknown || marks_[m] < at_) marks_[m] = bytes_.find("\n\r\0\x1a"[m], at_);
     return marks_[m];
   }
   void read_more() {
-    constexpr std::size_t piece = 1 << 16;  // > longest_
+    constexpr std::size_t piece = 1 << 16;  // > max_length_
     bytes_.erase(0, at_);
     const std::size_t before = bytes_.size();
     bytes_.resize(before + piece);
@@ -184,8 +177,8 @@ class text_lines {
   std::string_view line_;
   std::size_t at_ = 0, number_ = 0, padding_size_ = 0;
   bool is_last_ = false;
-  std::array<std::size_t, 4> marks_{unknown, unknown, unknown, unknown};  // in bytes_, of each mark
-  std::size_t after_cr_ = 0;  // behind the CRs that follow each other at the end of a line
+  std::array<std::size_t, 4> marks_{unknown, unknown, unknown, unknown};  // position in bytes_ of each mark
+  std::size_t after_cr_ = 0;  // position after consecutive CRs at the end of a line
 };
 
 }  // namespace passive_haptics::detail

@@ -1,5 +1,4 @@
-/// @file
-/// The thin slab in front of a facet, which a proxy does not enter from the front.
+/// The slab in front of a facet that stops a proxy.
 #pragma once
 
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
@@ -9,12 +8,11 @@
 
 namespace passive_haptics::detail {
 
-/// The part [first, last] of a way p + t step, t in [0, 1], that meets some conditions; empty if first >
-/// last.
+/// The part [first, last] of the motion p + t step, t in [0, 1], that meets some conditions.
 struct part_of_way {
   double first = 0, last = 1;
 
-  /// Keeps the part where a + t b <= most. NaN keeps nothing.
+  /// Keeps the part where a + t b <= bound. NaN keeps nothing.
   void keep_below(double a, double b, double bound) {
     if (b > 0) last = std::min(last, (bound - a) / b);
     else if (b < 0) first = std::max(first, (bound - a) / b);
@@ -28,8 +26,7 @@ struct part_of_way {
   bool empty() const { return !(first <= last); }
 };
 
-/// Calls f(corner, outward) for each rim of a facet: a point of it and the unit vector in the facet's plane
-/// out of it.
+/// Calls f(corner, outward) for each rim of a facet, with the outward unit vector in its plane.
 template <int D, class F>
 void for_each_rim(const mesh_facet<D>& f, const F& rim) {
   if constexpr (D == 2) {
@@ -44,17 +41,16 @@ void for_each_rim(const mesh_facet<D>& f, const F& rim) {
   }
 }
 
-/// All points at a height in [-lip, skin] over the facet or, at its rims, up to a lip beside it. The lip
-/// closes the cracks that rounding leaves between neighbours. It is much thinner than the skin, so that who
-/// rests on a facet at the height of the skin is beside the slabs of those beyond a convex edge.
+/// All points at a height in [-lip, skin] over the facet, extended by a lip at its rims, which closes cracks
+/// by rounding. The lip is much thinner than the skin, so a resting proxy is outside the slabs beyond a
+/// convex edge.
 template <int D>
 struct facet_slab {
   const mesh_facet<D>& f;
   double skin;  // [m]
   double lip;   // [m]
 
-  /// When on its way p + t step to stop: where it enters the slab from the front or from beside, > 1 if it
-  /// need not. Falling by less than a lip under the skin, as between neighbours in one plane, is let through.
+  /// Time at which the motion p + step enters the slab; > 1 if it does not, or falls by less than a lip.
   double stop(const point<D>& p, const point<D>& step) const {
     constexpr double never = 2;
     const double fall = f.normal.dot(step), height = f.height(p);
@@ -66,7 +62,7 @@ struct facet_slab {
     return way.first;
   }
 
-  /// True if p rests on the facet: in the slab, with another lip for rounding.
+  /// True if p rests on the facet: in the slab, with a second lip for rounding.
   bool holds(const point<D>& p) const {
     const double height = f.height(p);
     if (!(height >= -2 * lip && height <= skin + lip)) return false;
@@ -80,7 +76,7 @@ struct facet_slab {
     for_each_rim(f, [&](const point<D>& corner, const point<D>& out) {
       way.keep_below(out.dot(p - corner), out.dot(step), lip);
     });
-    if constexpr (D == 3) {  // two rims alone would leave a long spike before the tip of a needle
+    if constexpr (D == 3) {  // rims only would leave a long spike at the tip of a needle
       for (int i = 0; i < 3; ++i) {
         const auto [low, high] = std::minmax({f.corners[0][i], f.corners[1][i], f.corners[2][i]});
         way.keep_between(p[i], step[i], low - skin - lip, high + skin + lip);

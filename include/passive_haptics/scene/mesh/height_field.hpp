@@ -1,5 +1,4 @@
-/// @file
-/// A terrain: heights over a regular grid.
+/// Terrain: heights over a regular grid.
 #pragma once
 
 #include <passive_haptics/core/nth.hpp>
@@ -13,19 +12,18 @@
 
 namespace passive_haptics {
 
-/// Heights over the points (i spacing_x, j spacing_y) of a grid from `origin`, free above.
+/// Heights over the points (i spacing_x, j spacing_y) of a grid from `origin`; free above.
 struct height_field_parameters {
   int columns = 0;       ///< Points along x, 2 or more.
   int rows = 0;          ///< Points along y, 2 or more.
   double spacing_x = 0;  ///< Between columns [m], > 0.
   double spacing_y = 0;  ///< Between rows [m], > 0.
-  /// z over the origin [m], row by row: that of column i and row j is [j columns + i].
+  /// Height z over the origin [m], row by row: column i and row j is [j columns + i].
   std::vector<double> heights;
-  point<3> origin{0, 0, 0};  ///< Of column 0 and row 0, at height 0 [m].
+  point<3> origin{0, 0, 0};  ///< Position of column 0 and row 0 at height 0 [m].
 
   static constexpr const char* grid = "2 or more, and at most 2^31 triangles in all";  ///< In errors.
   static constexpr const char* type_name = "a height_field";                           ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = height_field_parameters;
     return member_table(member("columns", &p::columns, "", range::at_least(2).as(grid)),
@@ -34,7 +32,7 @@ struct height_field_parameters {
                         member("spacing_y", &p::spacing_y, "m", range::positive),
                         member("origin", &p::origin, "m", range::finite));
   }
-  /// As many finite heights as there are points, and no more than a mesh can have.
+  /// Requires one finite height per point, and no more than a mesh can have.
   std::string rules() const {
     const auto count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
     if (count > std::numeric_limits<int>::max() / 2)
@@ -50,9 +48,8 @@ struct height_field_parameters {
   }
 };
 
-/// Two triangles for each cell, cut along the diagonal whose ends differ less in height, so that a ridge or a
-/// valley is not cut into teeth. An open surface: take mesh_surface. Throws std::invalid_argument with the
-/// text of validate(p).
+/// Returns two triangles for each cell, cut along the diagonal with the smaller difference in height. The
+/// surface is open: use mesh_surface. Throws std::invalid_argument with the text of validate(p).
 template <int D = 3>
 mesh_parameters<D> height_field(const height_field_parameters& p) {
   require_valid(p);

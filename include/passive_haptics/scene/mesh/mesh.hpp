@@ -1,5 +1,4 @@
-/// @file
-/// A surface of segments (2-D) or triangles (3-D) and the point of it nearest to another.
+/// A surface of segments (2-D) or triangles (3-D), with nearest points and normals.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -16,50 +15,44 @@ namespace passive_haptics {
 /// A point of a mesh.
 template <int D>
 struct mesh_point : facet_point<D> {
-  int facet;  ///< On which facet.
+  int facet;  ///< Index of its facet.
 
-  /// From the point that it is nearest to [m].
+  /// Distance from the query point [m].
   double distance() const { return std::sqrt(this->squared_distance); }
 };
 
-/// A surface that never changes: its copies share it, any number of threads may search it, and no search
-/// allocates.
+/// An immutable surface. Copies share it, any number of threads may search it, and no search allocates.
 template <int D>
 class mesh {
  public:
   static constexpr int dimension = D;  ///< d
 
-  /// Throws std::invalid_argument with the text of validate(p). O(n log n).
+  /// Builds the surface in O(n log n). Throws std::invalid_argument with the text of validate(p).
   explicit mesh(const mesh_parameters<D>& p) : data_(std::make_shared<const data>(require_valid(p))) {}
 
-  /// Number of facets.
-  int size() const { return static_cast<int>(data_->facets.size()); }
+  int size() const { return static_cast<int>(data_->facets.size()); }  ///< Number of facets.
 
   /// Facet i, 0 <= i < size(), in the order of the parameters.
   const mesh_facet<D>& operator[](int i) const { return nth(data_->facets, i); }
 
-  /// True if the facets enclose their wall or their free space without a hole, all running the same way
-  /// round.
+  /// True if the facets enclose their wall or their free space without a hole and with one orientation.
   bool closed() const { return data_->hole.empty(); }
 
-  /// Why it is not closed, by vertices and facets; empty if it is.
+  /// The reason why the mesh is not closed, with vertices and facets; empty if it is closed.
   const std::string& hole() const { return data_->hole; }
 
-  /// Edges (2-D: vertices) whose two facets run the same way along them, so that one of both faces the wrong
-  /// side.
+  /// Number of edges (2-D: vertices) with two facets of opposite orientation.
   int turned_edges() const { return data_->turned_edges; }
 
   /// Enclosed area [m^2] (2-D) or volume [m^3] (3-D) of a closed mesh; < 0 if the outside is solid.
   double content() const { return data_->content; }
 
-  /// The box about all facets.
-  const bounding_box<D>& bounds() const { return data_->bounds; }
+  const bounding_box<D>& bounds() const { return data_->bounds; }  ///< Bounding box of all facets.
 
-  /// The facets by their boxes.
-  const bounding_volume_tree<D>& tree() const { return data_->tree; }
+  const bounding_volume_tree<D>& tree() const { return data_->tree; }  ///< Tree of the facets' boxes.
 
-  /// The nearest point of the surface; starts with facet `guess`, best that of a neighbouring x. About log n.
-  /// A NaN in x gives a NaN distance.
+  /// Returns the nearest point of the surface, in about log n. The search starts with facet `guess`, ideally
+  /// the result for a neighbouring x. NaN in x gives a NaN distance.
   PASSIVE_HAPTICS_FLATTEN mesh_point<D> nearest(const point<D>& x, int guess = 0) const {
     mesh_point<D> best{nearest_point((*this)[guess], x), guess};
     double limit = best.squared_distance;
@@ -75,9 +68,9 @@ class mesh {
     return best;
   }
 
-  /// The unit normal of the surface at one of its points: of an edge or a corner that of its facets, weighted
-  /// by their angles there. Whether x is in front of the surface of a closed mesh is the sign of this . (x -
-  /// nearest). Reference: J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted
+  /// Unit normal of the surface at one of its points. On an edge or corner it is the sum of the facets'
+  /// normals weighted by their angles there. x is in front of a closed mesh if normal . (x - nearest) > 0.
+  /// Reference: J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted
   /// pseudonormal, IEEE Trans. Visualization and Computer Graphics 11 (3), 2005, pp. 243-253.
   const point<D>& normal_at(const mesh_point<D>& p) const {
     const auto f = static_cast<std::size_t>(p.facet), i = static_cast<std::size_t>(p.index);
@@ -86,7 +79,7 @@ class mesh {
     return nth(data_->vertex_normals, data_->vertices[f][i]);
   }
 
-  /// Distance from x to its nearest point [m], < 0 behind the surface of a closed mesh.
+  /// Distance from x to its nearest point [m]; < 0 behind the surface of a closed mesh.
   double signed_distance(const point<D>& x, const mesh_point<D>& nearest) const {
     return normal_at(nearest).dot(x - nearest.position) < 0 ? -nearest.distance() : nearest.distance();
   }
@@ -96,7 +89,7 @@ class mesh {
 
   struct data {
     std::vector<mesh_facet<D>> facets;
-    std::vector<indices> vertices, edges;  // of each facet, indices of the normals below
+    std::vector<indices> vertices, edges;  // indices of the normals below, by facet
     std::vector<point<D>> vertex_normals, edge_normals;
     bounding_volume_tree<D> tree;
     bounding_box<D> bounds;
@@ -131,7 +124,7 @@ class mesh {
         for (std::size_t i = 0; i < D; ++i) normal_at(f, i) += angles[i] * facets[f].normal;
       }
       for (point<D>& n : vertex_normals) n = detail::direction_or<D>(n, n);
-      for (std::size_t f = 0; f < facets.size(); ++f) {  // of facets back to back, any of them will do
+      for (std::size_t f = 0; f < facets.size(); ++f) {  // for facets back to back, any of them
         for (std::size_t i = 0; i < D; ++i)
           if (normal_at(f, i).isZero(0)) normal_at(f, i) = facets[f].normal;
       }
@@ -157,9 +150,9 @@ class mesh {
   std::shared_ptr<const data> data_;
 };
 
-/// A mesh in space.
+/// A spatial mesh.
 using triangle_mesh = mesh<3>;
-/// A mesh in the plane.
+/// A planar mesh.
 using polyline = mesh<2>;
 
 }  // namespace passive_haptics

@@ -1,5 +1,4 @@
-/// @file
-/// One facet of a mesh: a segment (2-D) or a triangle (3-D), and its point nearest to another.
+/// One facet of a mesh, a segment (2-D) or a triangle (3-D), and its nearest points.
 #pragma once
 
 #include <passive_haptics/core/nth.hpp>
@@ -17,8 +16,8 @@ namespace passive_haptics {
 template <int D>
 using facet_corners = std::array<point<D>, static_cast<std::size_t>(D)>;
 
-/// D corners and the unit normal towards the free side: in the plane on the right of the way from corner 0 to
-/// 1 (a polygon that runs counterclockwise is solid), in space where the corners run counterclockwise.
+/// D corners and the unit normal towards the free side: planar on the right of the direction from corner 0 to
+/// 1 (counterclockwise polygons are solid), spatial where corners run counterclockwise.
 template <int D>
 struct mesh_facet {
   static_assert(D == 2 || D == 3, "passive_haptics: a facet is a segment (D = 2) or a triangle (D = 3).");
@@ -26,39 +25,35 @@ struct mesh_facet {
   facet_corners<D> corners;  ///< [m]
   point<D> normal;           ///< Unit vector.
 
-  /// Corner i, counted round.
-  const point<D>& corner(int i) const { return nth(corners, i % D); }
-  /// n . (x - c), in front of the facet's plane > 0 [m].
+  const point<D>& corner(int i) const { return nth(corners, i % D); }  ///< Corner i modulo D.
+  /// Height n . (x - c) over the facet's plane [m].
   double height(const point<D>& x) const { return normal.dot(x - corners[0]); }
 };
 
-/// Which part of a facet a point lies on.
+/// The part of a facet that contains a point.
 enum class facet_part {
-  corner,    ///< A corner.
-  edge,      ///< Between corner i and the next (3-D).
-  interior,  ///< Between all of them.
+  corner,  ///< A corner.
+  edge,    ///< Between corner i and the next (3-D).
+  interior,
 };
 
-/// A point of a facet.
+/// The point of a facet nearest to a query point.
 template <int D>
 struct facet_point {
   point<D> position;        ///< [m]
-  double squared_distance;  ///< From the point that it is nearest to [m^2].
-  facet_part part;          ///< What it lies on.
-  int index;                ///< Which corner or edge.
+  double squared_distance;  ///< From the query point [m^2].
+  facet_part part;          ///< Its part of the facet.
+  int index;                ///< Index of the corner or edge.
 };
 
 namespace detail {
 
-// Templates throughout, so that who includes this and has no mesh pays nothing for it.
-
-/// A triangle by its longest edge, divided by a length that is near to that edge's: no square over- or
-/// underflows.
+/// A triangle relative to its longest edge, scaled against over- and underflow.
 template <int D>
 struct on_longest_edge {
-  point<D> along;     ///< Unit vector from the edge's first end to its second.
-  double length;      ///< Of the edge, 1 to sqrt(D); 0 if it has none.
-  point<D> from, to;  ///< From the second end to the third corner, and from there to the first end.
+  point<D> along;     ///< Unit vector along the edge.
+  double length;      ///< Scaled length of the edge, 1 to sqrt(D); 0 for a point.
+  point<D> from, to;  ///< From the edge's second end to the third corner, and from there to its first end.
 
   explicit on_longest_edge(const facet_corners<D>& c) {
     const std::array<double, 3> square{(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(),
@@ -75,8 +70,7 @@ struct on_longest_edge {
   }
 };
 
-/// How far a facet reaches in its narrowest direction, by its longest: |b - a| > 0 of a segment gives 1, a
-/// triangle its height by its longest edge. 0 if it has no area, NaN if its coordinates overflow.
+/// Smallest by largest extent: 1 for a segment, height by longest edge for a triangle. 0 without area.
 template <int D>
 double slenderness(const facet_corners<D>& c) {
   if constexpr (D == 2) {
@@ -89,8 +83,7 @@ double slenderness(const facet_corners<D>& c) {
   }
 }
 
-/// The unit normal of a facet that has one. Of a needle it still is at right angles to the long edge: all
-/// three corners stay in its plane to rounding.
+/// Unit normal; perpendicular to the long edge even for a needle, so all corners stay in the plane.
 template <int D>
 point<D> normal_of(const facet_corners<D>& c) {
   if constexpr (D == 2) {
@@ -104,7 +97,6 @@ point<D> normal_of(const facet_corners<D>& c) {
   }
 }
 
-/// The point of the segment a b nearest to x.
 template <int D>
 facet_point<D> nearest_on_segment(const point<D>& a, const point<D>& b, const point<D>& x, int edge) {
   const point<D> along = b - a;
@@ -117,12 +109,12 @@ facet_point<D> nearest_on_segment(const point<D>& a, const point<D>& b, const po
 
 }  // namespace detail
 
-/// The point of a facet nearest to x; a NaN in x gives a NaN distance. If a facet is found to be further
-/// than the square root of `limit` [m^2], its distance may be infinite.
+/// Returns the point of a facet nearest to x. NaN in x gives a NaN distance. The distance may be infinite if
+/// the facet is further away than the square root of `limit` [m^2].
 ///
-/// If the foot of x on the plane lies between the edges it is the one, else the point lies on an edge behind
-/// which the foot lies. Longer than with barycentric coordinates (Ericson, Real-Time Collision Detection,
-/// 2005, ch. 5.1.5), but those lose a needle's short side to rounding, the square of its slenderness.
+/// The foot of x on the plane if it is inside all edges, else a point of an edge with the foot on its outer
+/// side. Barycentric coordinates (Ericson, Real-Time Collision Detection, 2005, ch. 5.1.5) are inaccurate for
+/// needles.
 template <int D>
 facet_point<D> nearest_point(const mesh_facet<D>& f, const std::type_identity_t<point<D>>& x,
                              double limit = std::numeric_limits<double>::infinity()) {

@@ -1,5 +1,4 @@
-/// @file
-/// A surface of facets as it is given: corners and which of them each facet has.
+/// Vertices and facets of a mesh.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -13,14 +12,14 @@
 
 namespace passive_haptics {
 
-/// A polyline (D = 2: segments) or a triangle mesh (D = 3). Which side is free: see mesh_facet. Vertices in
-/// the same place count as one, so that a list of loose triangles (STL) has a topology.
+/// A polyline (D = 2: segments) or a triangle mesh (D = 3); mesh_facet defines the free side. Vertices in the
+/// same place are merged, so that loose triangles (STL) are connected.
 template <int D>
 struct mesh_parameters {
   std::vector<point<D>> vertices;                                    ///< [m]; some may be unused.
   std::vector<std::array<int, static_cast<std::size_t>(D)>> facets;  ///< Indices of vertices.
 
-  /// The corners of facet i, whose indices must be valid.
+  /// Corners of facet i, with valid indices.
   std::array<point<D>, static_cast<std::size_t>(D)> corners(std::size_t i) const {
     std::array<point<D>, static_cast<std::size_t>(D)> c;
     for (std::size_t k = 0; k < c.size(); ++k) c[k] = nth(vertices, facets[i][k]);
@@ -28,11 +27,10 @@ struct mesh_parameters {
   }
 };
 
-/// A triangle whose height is this part of its longest edge or less has no direction: its normal would be
-/// rounding.
+/// Triangles with a height by longest edge up to this count as without area: their normal is rounding.
 inline constexpr double min_slenderness = 1e-10;
 
-/// What is wrong with the parameters; empty if nothing. Names the first facet that is wrong.
+/// Returns an error text for the first wrong facet or vertex; empty if there is none.
 template <int D>
 std::string validate(const mesh_parameters<D>& p) {
   if (p.facets.empty()) return "a mesh has no facets, expected one or more";
@@ -57,8 +55,8 @@ std::string validate(const mesh_parameters<D>& p) {
   return {};
 }
 
-/// A mesh without the facets that have no area. No surface is lost. But where such a facet joined an edge to
-/// two shorter ones, the mesh is open then. All indices must be valid.
+/// Returns the mesh without facets that have no area. The mesh becomes open if such a facet joined an edge to
+/// two shorter ones. All indices must be valid.
 template <int D>
 mesh_parameters<D> without_slivers(mesh_parameters<D> p) {
   std::size_t kept = 0;

@@ -1,5 +1,4 @@
-/// @file
-/// What looks odd about a mesh.
+/// Plausibility checks of a mesh.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -9,16 +8,13 @@
 
 namespace passive_haptics {
 
-/// A line for each thing that looks odd about a mesh beside a device of this reach [m]; empty if there is
-/// none. Odd is a size of more than 10 times the reach (millimetres, read as metres) or less than a 500th of
-/// it (metres, read as millimetres). Odd are a closed mesh that is inside out, and facets that face another
-/// side than their neighbours. Whether an open mesh is inside out follows from nothing in it.
-///
-/// Throws std::invalid_argument if the reach is not a finite number > 0. For a program to print as it starts,
-/// not for the loop: it allocates.
+/// Returns a line for each implausible property of a mesh for a device with this reach [m]: a size of more
+/// than 10 times or less than 1/500 of the reach, a closed mesh that is inside out, facets of opposite
+/// orientation to their neighbours. Throws std::invalid_argument if the reach is not a finite number > 0. For
+/// set-up.
 template <int D>
 std::string plausibility(const mesh<D>& m, double reach) {
-  constexpr double largest = 10, smallest = 1.0 / 500;  // parts of the reach
+  constexpr double largest = 10, smallest = 1.0 / 500;  // fractions of the reach
   require_no_error(check_value("reach", reach, "m", range::positive));
   std::string all;
   const auto remark = [&](const char* what, auto value, const std::string& usually) {

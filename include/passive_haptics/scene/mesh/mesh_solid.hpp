@@ -1,4 +1,3 @@
-/// @file
 /// A closed mesh as a solid wall.
 #pragma once
 
@@ -13,10 +12,10 @@ namespace passive_haptics {
 /// The surface of a solid.
 template <int D>
 struct mesh_solid_parameters {
-  mesh<D> surface;  ///< Closed; its normals point out of the solid.
+  mesh<D> surface;  ///< Closed surface; its normals point out of the solid.
 };
 
-/// What is wrong with the parameters; empty if nothing. Whether facets cross each other is not looked at.
+/// Returns an error text, empty if there is none. Intersecting facets are not detected.
 template <int D>
 std::string validate(const mesh_solid_parameters<D>& p) {
   if (!p.surface.closed()) return p.surface.hole();
@@ -26,12 +25,9 @@ std::string validate(const mesh_solid_parameters<D>& p) {
                             "> 0; swap two vertices of every facet, or use complement() for a room");
 }
 
-/// distance(x) = +- |x - nearest point|, with the sign of (x - nearest point) . pseudonormal there. Exact on
-/// both sides.
-///
-/// In a scene it gives one contact at most, as every shape: for corners that are touched from inside use
-/// mesh_surface. In a world its facets stop the handle's proxy, so that it may be thin, and solids side by
-/// side are one.
+/// Solid with distance(x) = +- |x - nearest point|; the sign is that of (x - nearest point) . pseudonormal.
+/// In a scene it has at most one contact; use mesh_surface if several faces of a concave corner must be felt.
+/// In a world its facets stop the handle's proxy, so it may be thin, and adjacent solids act as one.
 template <int D>
 class mesh_solid : public mesh_stops<D> {
  public:
@@ -43,38 +39,35 @@ class mesh_solid : public mesh_stops<D> {
                       std::max(1e-7, 1e-9 * detail::max_coordinate(p.surface.bounds())),
                       0.5 * std::numbers::sqrt3) {}  // 30 deg
 
-  /// The solid within a closed mesh.
+  /// The solid inside a closed mesh.
   explicit mesh_solid(mesh<D> surface) : mesh_solid(mesh_solid_parameters<D>{std::move(surface)}) {}
 
-  /// Signed distance [m]; a search of about log n facets.
+  /// Signed distance [m], in about log n.
   double distance(const point<D>& x) const {
     return this->surface().signed_distance(x, this->surface().nearest(x));
   }
 
-  /// Unit vector away from the nearest point of the surface, to the free side; on an edge or corner, where
-  /// there are many, the pseudonormal. Cost as distance.
+  /// Unit vector to the free side, on edges and corners the pseudonormal. Cost as distance().
   point<D> gradient(const point<D>& x) const {
     const auto nearest = this->surface().nearest(x);
     const point<D>& n = this->surface().normal_at(nearest);
     if (nearest.part == facet_part::interior) return n;
     const point<D> r = x - nearest.position;
-    // A shorter r has no direction: its rounding is that of the coordinates.
+    // The direction of a shorter r is rounding of the coordinates.
     constexpr double shortest = 1e6 * std::numeric_limits<double>::epsilon();
     if (r.norm() <= shortest * nearest.position.norm()) return n;
     return detail::direction_or<D>(r.dot(n) < 0 ? point<D>(-r) : r, n);
   }
 
-  /// The box about the solid.
-  bounding_box<D> bounds() const { return this->surface().bounds(); }
+  bounding_box<D> bounds() const { return this->surface().bounds(); }  ///< Bounding box.
 
-  /// As of ProxySurface. Cost: a search for the nearest facet.
+  /// As ProxySurface, by a search for the nearest facet.
   double clearance(const point<D>& x, int& hint) const {
     const auto nearest = this->surface().nearest(x, hint);
     hint = nearest.facet;
     return this->surface().signed_distance(x, nearest) - this->slab_reach();
   }
-  /// As of ProxySurface.
-  bool is_solid() const { return true; }
+  bool is_solid() const { return true; }  ///< As ProxySurface.
 };
 
 }  // namespace passive_haptics

@@ -1,5 +1,4 @@
-/// @file
-/// A mesh as what stops a proxy.
+/// The facets of a mesh as obstacles of a proxy.
 #pragma once
 
 #include <passive_haptics/scene/mesh/facet_slab.hpp>
@@ -11,18 +10,17 @@
 
 namespace passive_haptics {
 
-/// What a wall of a mesh is as a ProxySurface: its facets, by their slabs.
+/// Implements ProxySurface for a mesh by the slabs of its facets.
 template <int D>
 class mesh_stops {
  public:
   static constexpr int dimension = D;  ///< d
 
-  double skin() const { return skin_; }                    ///< As of ProxySurface [m].
-  double crease_cosine() const { return crease_cosine_; }  ///< As of ProxySurface.
-  const mesh<D>& surface() const { return surface_; }      ///< The facets.
+  double skin() const { return skin_; }                    ///< As ProxySurface [m].
+  double crease_cosine() const { return crease_cosine_; }  ///< As ProxySurface.
+  const mesh<D>& surface() const { return surface_; }      ///< The mesh.
 
-  /// As of ProxySurface: the slab that the step enters first, but none of the facets on which the proxy
-  /// rests. Cost: a search of the few facets near the way.
+  /// As ProxySurface: the first slab of the step, without resting facets. Searches the facets near the step.
   proxy_stop first_stop(const point<D>& p, const point<D>& step, std::span<const int> resting) const {
     const auto entry = [&](const four_outer_boxes<D>& boxes) {
       return typename four_outer_boxes<D>::four([&](int k) {
@@ -46,15 +44,14 @@ class mesh_stops {
     return first;
   }
 
-  /// As of ProxySurface.
+  /// As ProxySurface.
   proxy_plane<D> plane(int facet, const point<D>&) const {
     return {surface_[facet].normal, surface_[facet].corners[0]};
   }
-  /// As of ProxySurface.
-  bool holds(int facet, const point<D>& p) const { return slab(facet).holds(p); }
-  /// As of ProxySurface: of a closed mesh. Cost: a search for the nearest facet.
+  bool holds(int facet, const point<D>& p) const { return slab(facet).holds(p); }  ///< As ProxySurface.
+  /// As ProxySurface for a closed mesh, by a search for the nearest facet.
   point<D> entry(const point<D>& x) const {
-    constexpr double flat = 1e-9;  // of the box about it: all folded flat, such a mesh encloses nothing
+    constexpr double flat = 1e-9;  // fraction of its box; a mesh that is folded flat encloses nothing
     const double box = (surface_.bounds().upper - surface_.bounds().lower).prod();
     if (!surface_.closed() || !(std::abs(surface_.content()) > flat * box)) return x;
     const auto nearest = surface_.nearest(x);
@@ -63,12 +60,11 @@ class mesh_stops {
   }
 
  protected:
-  /// A surface, the skin [m] and the cosine of the crease angle.
+  /// Stores the surface, the skin [m] and the cosine of the crease angle.
   mesh_stops(mesh<D> surface, double skin, double crease_cosine)
       : surface_(std::move(surface)), skin_(skin), crease_cosine_(crease_cosine) {}
 
-  /// How far a slab reaches from its facet [m].
-  double slab_reach() const { return 4 * skin_; }
+  double slab_reach() const { return 4 * skin_; }  ///< Extent of a slab from its facet [m].
 
  private:
   detail::facet_slab<D> slab(int facet) const { return {surface_[facet], skin_, 1e-3 * skin_}; }

@@ -1,5 +1,4 @@
-/// @file
-/// A mesh as a wall with memory: thin, open or closed, with corners that are touched at several facets.
+/// A mesh as a wall with memory: thin, open or closed, with concave corners that touch several facets.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -14,25 +13,24 @@
 
 namespace passive_haptics {
 
-/// A surface and how it is felt.
+/// Parameters of mesh_surface.
 template <int D>
 struct mesh_surface_parameters {
   mesh<D> surface;     ///< Open or closed.
-  double skin = 1e-7;  ///< From the surface to the proxy [m]: far over rounding, far under what is felt.
-  /// Facets whose normals differ by less are one smooth surface [rad].
+  double skin = 1e-7;  ///< Distance of a proxy [m], far above rounding and below perception.
+  /// Facets with a smaller angle between their normals form one smooth surface [rad].
   double crease_angle = std::numbers::pi / 6;
 
   static constexpr const char* type_name = "a mesh_surface";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = mesh_surface_parameters;
     return member_table(member("skin", &p::skin, "m"),
                         member("crease_angle", &p::crease_angle, "rad",
                                range{0, std::numbers::pi, false, true}.as("0 or more and less than pi")));
   }
-  /// The skin is far over the rounding of the surface's coordinates.
+  /// Requires a skin far above the rounding of the coordinates.
   std::string rules() const {
-    constexpr double min_skin = 1e-9;  // a thousandth of it still is 4500 roundings
+    constexpr double min_skin = 1e-9;  // a thousandth of it is 4500 roundings
     const double size = detail::max_coordinate(surface.bounds());
     if (skin >= min_skin * size && range::positive.contains(skin)) return {};
     return detail::error_text("skin of a mesh_surface [m]", skin,
@@ -41,32 +39,29 @@ struct mesh_surface_parameters {
   }
 };
 
-/// Stops what moves from the front of a facet to its back; from behind it is free. A proxy stays in front, so
-/// that a handle pushed through a thin wall still is pushed back to where it came from. Where the proxy rests
-/// in a concave corner, each face is a contact of its own.
-///
-/// Neighbours must share their vertices: a crack wider than a thousandth of the skin lets a handle through.
-///
-/// A handle that is seen for the first time within the wall of a closed mesh is taken to have come through
-/// the nearest facet.
+/// A wall that stops motion from the front of a facet to its back. The proxy stays in front, so that a handle
+/// pushed through a thin wall is pushed back to its original side. In a concave corner each face is a
+/// contact. Neighbouring facets must share vertices: a crack wider than a thousandth of the skin lets a
+/// handle through. A handle first seen inside a closed mesh is assumed to have entered through the nearest
+/// facet.
 template <int D>
 class mesh_surface : public mesh_stops<D> {
  public:
-  using tracker = proxy_tracker<D>;  ///< What is remembered of one handle.
+  using tracker = proxy_tracker<D>;  ///< State of one handle.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit mesh_surface(const mesh_surface_parameters<D>& p)
       : mesh_stops<D>(require_valid(p).surface, p.skin, std::cos(p.crease_angle)),
         far_(1e3 * (1 + detail::max_coordinate(p.surface.bounds()))) {}
 
-  /// A surface that is felt as by default.
+  /// A surface with default parameters.
   explicit mesh_surface(mesh<D> surface) : mesh_surface(mesh_surface_parameters<D>{std::move(surface)}) {}
 
-  /// The box about the surface and what a proxy stays away from it.
+  /// Bounding box of the surface and its slabs.
   bounding_box<D> bounds() const { return this->surface().bounds().grown(this->slab_reach()); }
 
-  /// See TrackedShape. While it touches, `from` is not read. Cost: free, a search for the way and one for the
-  /// nearest facet; in contact, a search or two of the few facets near the proxy.
+  /// As TrackedShape. `from` is ignored during contact. Cost: one search for the motion and one for the
+  /// nearest facet in free space; one or two local searches in contact.
   template <class Add>
   double follow(const point<D>& from, const point<D>& x, tracker& t, Add&& add) const {
     if (!all_finite(x)) {
@@ -86,17 +81,16 @@ class mesh_surface : public mesh_stops<D> {
     return 0;
   }
 
-  /// As of ProxySurface. Cost: a search for the nearest facet.
+  /// As ProxySurface, by a search for the nearest facet.
   double clearance(const point<D>& x, int& hint) const {
     const auto nearest = this->surface().nearest(x, hint);
     hint = nearest.facet;
     return nearest.distance() - this->slab_reach();
   }
-  /// As of ProxySurface.
-  bool is_solid() const { return false; }
+  bool is_solid() const { return false; }  ///< As ProxySurface.
 
  private:
-  // Coordinates so large that their rounding is thicker than a skin are brought nearer.
+  // Limits coordinates with rounding thicker than a skin.
   point<D> within_reach(const point<D>& x) const { return x.cwiseMax(-far_).cwiseMin(far_); }
 
   double far_;

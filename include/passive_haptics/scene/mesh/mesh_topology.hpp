@@ -1,5 +1,4 @@
-/// @file
-/// How the facets of a mesh hang together: which edges they share, and the normals there.
+/// Topology of a mesh: shared edges and the normals there.
 #pragma once
 
 #include <passive_haptics/core/nth.hpp>
@@ -15,7 +14,7 @@
 
 namespace passive_haptics::detail {
 
-/// Which vertex stands for each: the first one in the same place.
+/// Index of the first vertex in the same place, for each vertex.
 template <int D>
 std::vector<int> welded(const std::vector<point<D>>& vertices) {
   std::vector<int> order(vertices.size()), stands_for(vertices.size());
@@ -31,18 +30,17 @@ std::vector<int> welded(const std::vector<point<D>>& vertices) {
   return stands_for;
 }
 
-/// Where facets meet, one entry for each facet there: an edge between two vertices (3-D) or a vertex (2-D,
-/// low = high).
+/// A facet at an edge between two vertices (3-D) or at a vertex (2-D, low = high).
 template <int D>
 struct ridge {
   int low, high;  // vertices
   int facet, index;
-  int turn;  // 1 or -1: which way round the facet runs along it
+  int turn;  // 1 or -1, direction of the facet along the edge
 
   bool same_place(const ridge& other) const { return low == other.low && high == other.high; }
 };
 
-/// All of them, those in the same place one after the other, facet by facet.
+/// All ridges, sorted by place, then by facet.
 template <int D>
 std::vector<ridge<D>> sorted_ridges(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets) {
   std::vector<ridge<D>> all;
@@ -61,12 +59,12 @@ std::vector<ridge<D>> sorted_ridges(const std::vector<std::array<int, static_cas
   return all;
 }
 
-/// What keeps the facets that meet in [first, last) from enclosing anything; empty if nothing.
+/// Returns why the facets that meet in [first, last) do not enclose anything; empty if they do.
 template <int D>
 std::string check_ridge(const ridge<D>* first, const ridge<D>* last) {
   int turns = 0;
   for (const ridge<D>* r = first; r != last; ++r) turns += r->turn;
-  if (turns == 0) return {};  // each facet has its partner, also where two bodies touch in an edge
+  if (turns == 0) return {};  // also if two bodies touch in an edge
   std::string text = indexed(D == 2 ? "vertex " : "edge between vertices ", first->low, "");
   if (D == 3) text = indexed(text.append(" and "), first->high, "");
   text.append(" of a mesh_solid");
@@ -80,7 +78,7 @@ std::string check_ridge(const ridge<D>* first, const ridge<D>* last) {
                  " facets, expected as many that run one way as the other; remove what is within the solid");
 }
 
-/// The angles of a facet at its corners [rad]; in the plane all facets count alike.
+/// Angles of a facet at its corners [rad]; 1 for segments.
 template <int D>
 std::array<double, static_cast<std::size_t>(D)> angles_of(const facet_corners<D>& c) {
   if constexpr (D == 2) return {1, 1};
@@ -92,7 +90,7 @@ std::array<double, static_cast<std::size_t>(D)> angles_of(const facet_corners<D>
   }
 }
 
-/// Area (2-D) or volume (3-D) that facets about an origin enclose, times 2 or 6; < 0 if they are inside out.
+/// Enclosed area (2-D) times 2, or volume (3-D) times 6, about an origin; < 0 if inside out.
 template <int D>
 double enclosed(const std::vector<mesh_facet<D>>& facets) {
   double sum = 0;

@@ -1,5 +1,4 @@
-/// @file
-/// The contacts of a handle whose proxy rests on facets of surfaces.
+/// The contacts of a handle with a proxy that rests on facets.
 #pragma once
 
 #include <passive_haptics/core/linear/least_distance.hpp>
@@ -11,9 +10,9 @@
 
 namespace passive_haptics::detail {
 
-/// The shares m >= 0 of the least displacement N m that brings a point in front of all of K planes. N: the
-/// unit normals by columns (zero: no plane); depth: how far the point is behind each, one of them > 0. If no
-/// place is in front of all planes, the shares are the depths themselves.
+/// Shares m >= 0 of the minimum displacement N m that brings a point in front of all K planes. N: unit
+/// normals by column (or zero); depth: behind each plane, at least one > 0. Without a common front: the
+/// depths.
 template <int D, int K>
 vector<double, K> shares_of_displacement(const matrix<double, D, K>& N, const vector<double, K>& depth) {
   const least_distance<double, D, K> least(N, depth);
@@ -22,13 +21,12 @@ vector<double, K> shares_of_displacement(const matrix<double, D, K>& N, const ve
   return least.multipliers * (least.multipliers.dot(depth) / square);
 }
 
-/// Facets of one smooth surface make one contact, others one each; also facets of surfaces side by side.
+/// One contact for each smooth group of resting facets, also across adjacent surfaces.
 template <class S>
 class proxy_contacts {
   static constexpr int D = S::dimension;
 
  public:
-  /// Of a handle at x whose proxy, as the tracker has it, rests on facets of these surfaces.
   proxy_contacts(std::span<const placed_surface<S>> surfaces, const proxy_tracker<D>& tracker,
                  const point<D>& x) {
     const point<D> p(tracker.position.data());
@@ -43,8 +41,7 @@ class proxy_contacts {
     }
   }
 
-  /// Calls add(normal, depth, number) for each, at most D: as many facets hold a point. The number is that of
-  /// the surface, of several side by side of the first that the proxy met.
+  /// Calls add(normal, depth, number) for at most D contacts; number: the surface that the proxy met first.
   template <class Add>
   void add_to(Add&& add) const {
     if (!(depths_.maxCoeff() > 0)) return;
@@ -72,7 +69,7 @@ class proxy_contacts {
     return normals_.col(i).dot(normals_.col(j)) > std::max(cosine(i), cosine(j));
   }
 
-  // The first of `left` and what is connected with it by angles less than the crease angle.
+  // The first of `left` and all facets connected with it by angles below the crease angle.
   half_space_set smooth_group(int first, half_space_set left) const {
     half_space_set group = 1u << first;
     for (half_space_set before = 0; before != group;) {
@@ -86,10 +83,8 @@ class proxy_contacts {
     return group;
   }
 
-  // Normal and depth are those of the way to in front of the group's own planes, as of half-spaces. The depth
-  // is no more than twice the group's share of the whole displacement: at an obtuse edge a second surface
-  // that is reached at some depth of the first then begins with depth zero, and has all of its depth where
-  // the shares are equal.
+  // The shortest displacement to the front of the group's planes, limited to twice the group's share of the
+  // whole displacement, so that at an obtuse edge a second surface begins with depth zero.
   template <class Add>
   void add_group(int first, half_space_set group, const vector<double, max_facets>& shares, Add&& add) const {
     matrix<double, D, max_facets> N = normals_;

@@ -1,5 +1,4 @@
-/// @file
-/// The way of a proxy towards its handle.
+/// The motion of a proxy towards its handle.
 #pragma once
 
 #include <passive_haptics/core/linear/cone.hpp>
@@ -16,40 +15,38 @@ namespace passive_haptics {
 
 /// A facet of one of several surfaces.
 struct facet_of_surface {
-  int surface;  ///< The number of the surface.
-  int facet;    ///< Of its facets.
+  int surface;  ///< Number of the surface.
+  int facet;    ///< Index of the facet.
 
-  /// Whether both are one facet.
-  bool operator==(const facet_of_surface&) const = default;
+  bool operator==(const facet_of_surface&) const = default;  ///< True for the same facet.
 };
 
-/// What is remembered of one handle.
+/// State of the proxy of one handle.
 template <int D>
 struct proxy_tracker {
-  /// Facets on which a proxy rests at once; of more, some wait.
-  static constexpr int max_facets = 4 * (D - 1);
+  static constexpr int max_facets = 4 * (D - 1);  ///< Maximum number of resting facets.
 
-  bool known = false;  ///< Whether the handle was seen.
-  bool held = false;   ///< Whether a surface keeps the proxy from the handle; else they are in one place.
-  std::array<double, static_cast<std::size_t>(D)> position{};      ///< Of the proxy, if held [m].
-  std::array<facet_of_surface, std::size_t(max_facets)> facets{};  ///< On which it rests, if held.
-  int facet_count = 0;                                             ///< How many.
-  int nearest = 0;  ///< A facet that was nearest: where to search first.
+  bool known = false;  ///< True once the handle was seen.
+  bool held = false;   ///< True if a surface keeps the proxy from the handle.
+  std::array<double, static_cast<std::size_t>(D)> position{};      ///< Position of the proxy, if held [m].
+  std::array<facet_of_surface, std::size_t(max_facets)> facets{};  ///< Resting facets, if held.
+  int facet_count = 0;                                             ///< Number of resting facets.
+  int nearest = 0;                                                 ///< Start facet of the next search.
 
-  /// The facets on which it rests.
+  /// The resting facets.
   std::span<const facet_of_surface> resting() const {
     return {facets.data(), static_cast<std::size_t>(facet_count)};
   }
 };
 
-/// A surface where it is in this cycle.
+/// A surface at its position in this cycle.
 template <class S>
 struct placed_surface {
-  const S* surface;                  ///< What stops a proxy.
-  point<S::dimension> displacement;  ///< From where it was made [m].
-  int number;                        ///< By which facets refer to it.
+  const S* surface;                  ///< The surface.
+  point<S::dimension> displacement;  ///< Displacement from its original position [m].
+  int number;                        ///< Number that facets refer to.
 
-  /// The plane of a facet of it, under p [m].
+  /// The plane of a facet under p [m].
   auto plane(int facet, const point<S::dimension>& p) const {
     auto under_p = surface->plane(facet, p - displacement);
     under_p.position += displacement;
@@ -59,7 +56,6 @@ struct placed_surface {
 
 namespace detail {
 
-/// The surface of this number among some; nullptr if it is not among them.
 template <class S>
 const placed_surface<S>* surface_of(std::span<const placed_surface<S>> surfaces, int number) {
   const auto found = std::find_if(surfaces.begin(), surfaces.end(),
@@ -67,21 +63,18 @@ const placed_surface<S>* surface_of(std::span<const placed_surface<S>> surfaces,
   return found == surfaces.end() ? nullptr : &*found;
 }
 
-/// The way of a proxy towards the handle in one cycle. It stays a skin in front of the surfaces that it
-/// meets; none lets it from the front to the back, since each straight part of its way ends where a surface
-/// stops it.
+/// The motion of a proxy towards the handle in one cycle, a skin in front of the surfaces it meets. Each
+/// straight part ends where a surface stops it, so it cannot pass from front to back.
 template <class S>
 class proxy_path {
   static constexpr int D = S::dimension;
 
  public:
-  /// Goes on from where the tracker says, among these surfaces.
   proxy_path(std::span<const placed_surface<S>> surfaces, proxy_tracker<D>& tracker)
       : surfaces_(surfaces), tracker_(tracker), p_(tracker.position.data()) {
     for (const auto& s : surfaces_) lip_ = std::min(lip_, lip_by_skin * s.surface->skin());
   }
 
-  /// As near to x as the surfaces let it.
   void go_to(const point<D>& x) {
     if (goes_over(x)) return;
     for (int move = 0; move < max_moves; ++move) {
@@ -104,24 +97,23 @@ class proxy_path {
   }
 
  private:
-  // Straight parts in one cycle; where they do not suffice the proxy lags, on the free side.
+  // Straight parts in one cycle; if they do not suffice, the proxy lags on the free side.
   static constexpr int max_moves = 64;
   static constexpr int max_facets = proxy_tracker<D>::max_facets;
   static constexpr double lip_by_skin = 1e-3;
 
   struct stop {
-    double time;             // in [0, 1]
+    double time;             // -1 for none
     facet_of_surface facet;  // -1 if none
   };
 
   facet_of_surface& resting(int k) { return nth(tracker_.facets, k); }
   void keep(const point<D>& at) { point<D>::Map(tracker_.position.data()) = at; }
 
-  // Goes to the place over x on the one facet on which the proxy rests, straight or round one edge of a
-  // shape, if nothing is in between. Mostly this is all
+  // Fast path for one resting facet: moves to the place over x on it, straight or round one edge of a shape.
   bool goes_over(const point<D>& x) {
-    constexpr double low = 10;           // skins: a step along a solid ball comes in by length^2 / (8 radius)
-    constexpr double other_side = -0.5;  // cosine of the turn: so a thin shape would be passed
+    constexpr double low = 10;  // skins; a step along a solid ball enters it by length^2 / (8 radius)
+    constexpr double other_side = -0.5;  // cosine of the turn; a larger turn could pass a thin shape
     if (tracker_.facet_count != 1) return false;
     const auto* s = surface_of(surfaces_, resting(0).surface);
     if (s == nullptr) return false;
@@ -143,7 +135,6 @@ class proxy_path {
     return true;
   }
 
-  // Facets that the proxy has slid off hold it no longer.
   void leave_facets() {
     const auto begin = tracker_.facets.begin();
     const auto left = [&](const facet_of_surface& f) {
@@ -154,8 +145,7 @@ class proxy_path {
         static_cast<int>(std::remove_if(begin, begin + tracker_.facet_count, left) - begin);
   }
 
-  // The part of the way to x that enters no facet on which the proxy rests: its projection on the directions
-  // s with n . s >= 0.
+  // The displacement to x, projected on the directions s with n . s >= 0 for all resting facets.
   point<D> along_facets(const point<D>& x) {
     active_ = 0;
     matrix<double, D, max_facets> B = matrix<double, D, max_facets>::Zero();
@@ -173,7 +163,7 @@ class proxy_path {
     return active_ == 0 ? wanted : point<D>(length * projection.point);
   }
 
-  // A full list first loses a facet that did not hold the last step back; at most D did.
+  // A full list first loses a facet that did not limit the last step; at most D did.
   void rest_on(const facet_of_surface& facet) {
     const auto begin = tracker_.facets.begin(), end = begin + tracker_.facet_count;
     if (std::find(begin, end, facet) != end) return;
@@ -182,12 +172,11 @@ class proxy_path {
     resting(tracker_.facet_count++) = facet;
   }
 
-  // True if nothing is in between, except the facets on which the proxy rests.
   bool is_free(const point<D>& from, const point<D>& to) const {
     return first_stop(from, to - from, false).facet.facet < 0;
   }
 
-  // What the step meets first. raised: a facet on which the proxy rests stops it as others do.
+  // Returns the first surface on the step. raised: also consider resting facets.
   stop first_stop(const point<D>& from, const point<D>& step, bool raised) const {
     stop first{1, {-1, -1}};
     for (const auto& s : surfaces_) {
@@ -202,11 +191,10 @@ class proxy_path {
     return first;
   }
 
-  // Goes back to a skin over a facet on which the proxy rests, if it is lower; returns the normal. The
-  // sharper a convex edge is, the lower it comes in over the next facet; and each step along a hollow shape
-  // enters it
+  // Raises the proxy to a skin over a resting facet; returns the normal. It sinks at sharp convex edges and
+  // along hollow shapes.
   point<D> rise_over(const facet_of_surface& f) {
-    constexpr double low = 0.9;  // of the skin
+    constexpr double low = 0.9;  // fraction of the skin
     const auto* s = surface_of(surfaces_, f.surface);
     const auto plane = s->plane(f.facet, p_);
     const double skin = s->surface->skin(), height = plane.height(p_);
@@ -220,7 +208,7 @@ class proxy_path {
   std::span<const placed_surface<S>> surfaces_;
   proxy_tracker<D>& tracker_;
   point<D> p_;
-  double lip_ = std::numeric_limits<double>::infinity();  // what is no step [m]
+  double lip_ = std::numeric_limits<double>::infinity();  // minimum length of a step [m]
   half_space_set active_ = 0;
 };
 

@@ -1,5 +1,4 @@
-/// @file
-/// A shape as what stops a proxy.
+/// Any shape as an obstacle of a proxy.
 #pragma once
 
 #include <passive_haptics/scene/proxy/proxy_surface.hpp>
@@ -10,30 +9,28 @@
 
 namespace passive_haptics {
 
-/// Any Shape as a ProxySurface of one facet, the plane of which is that of the nearest point: a half-space or
-/// a box beside a mesh. As in a scene, a handle that is on both sides of a thin shape within one cycle has
-/// passed it. It refers to the shape, which must live longer.
+/// Any Shape as a ProxySurface with one facet, the tangent plane at the nearest point. A handle that crosses
+/// a thin shape within one cycle has passed it, as in a scene. Refers to the shape, which must live longer.
 template <Shape S>
 class shape_surface {
  public:
   static constexpr int dimension = S::dimension;  ///< d
   using at = point<dimension>;                    ///< A point [m].
 
-  /// Of this shape.
-  explicit shape_surface(const S& shape) : shape_(shape) {}
+  explicit shape_surface(const S& shape) : shape_(shape) {}  ///< Refers to the shape.
 
   double skin() const { return skin_; }                   ///< [m]
-  double crease_cosine() const { return smooth_cosine; }  ///< As by default of a mesh_surface.
+  double crease_cosine() const { return smooth_cosine; }  ///< Default of mesh_surface.
 
-  /// As of ProxySurface: where the distance falls to a skin, if it does so by the end of the step. Cost: one
-  /// distance, or a few until that place is found (false position, by the Illinois rule).
+  /// As ProxySurface: the point at which the distance falls to a skin, if it does so by the end of the step.
+  /// One distance, or a few to find the point (false position, Illinois rule).
   proxy_stop first_stop(const at& p, const at& step, std::span<const int> resting) const {
     constexpr int max_looks = 60;
     const double lip = lip_by_skin * skin_;
-    // A step along a curved surface falls away from it or a little into it
+    // A step along a curved surface changes the distance a little
     const double least = resting.empty() ? skin_ : 0.5 * skin_;
     const auto gap_at = [&](double time) { return shape_.distance(p + time * step) - least; };
-    double outside = 0, inside = 1, right = gap_at(inside);  // what the place between is guessed by
+    double outside = 0, inside = 1, right = gap_at(inside);  // distances at the ends of the bracket
     if (!(right < -lip)) return {};
     double gap = gap_at(outside), left = gap;
     int replaced = 0;  // the end that was replaced last
@@ -52,18 +49,16 @@ class shape_surface {
     return {outside, 0};
   }
 
-  /// As of ProxySurface.
+  /// As ProxySurface.
   proxy_plane<dimension> plane(int, const at& p) const {
     const at n = shape_.gradient(p);
     return {n, p - shape_.distance(p) * n};
   }
-  /// As of ProxySurface.
+  /// As ProxySurface.
   bool holds(int, const at& p) const { return !(shape_.distance(p) > (1 + 2 * lip_by_skin) * skin_); }
-  /// As of ProxySurface.
-  double clearance(const at& x, int&) const { return shape_.distance(x) - 2 * skin_; }
-  /// As of ProxySurface.
-  bool is_solid() const { return true; }
-  /// As of ProxySurface.
+  double clearance(const at& x, int&) const { return shape_.distance(x) - 2 * skin_; }  ///< As ProxySurface.
+  bool is_solid() const { return true; }                                                ///< As ProxySurface.
+  /// As ProxySurface.
   at entry(const at& x) const {
     const double distance = shape_.distance(x);
     return distance < 0 ? at(x + (skin_ - distance) * shape_.gradient(x)) : x;
@@ -79,15 +74,12 @@ class shape_surface {
 
 namespace detail {
 
-/// What a wall of any geometry stops a proxy by: itself, a Shape as a shape_surface, else nothing. It refers
-/// to the geometry.
+/// The obstacle of a wall: a ProxySurface itself, a Shape as shape_surface, else nothing.
 template <class S>
 class stops_of {
  public:
-  /// Of nothing.
-  explicit stops_of(const S&) {}
-  /// nullptr
-  static constexpr std::nullptr_t surface() { return nullptr; }
+  explicit stops_of(const S&) {}                                 ///< No obstacle.
+  static constexpr std::nullptr_t surface() { return nullptr; }  ///< nullptr
 };
 template <ProxySurface S>
 class stops_of<S> {

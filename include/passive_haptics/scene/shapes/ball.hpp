@@ -1,5 +1,4 @@
-/// @file
-/// A round wall: disc (2-D) or ball (3-D), touched from outside or from inside.
+/// Discs (2-D) and balls (3-D), solid or hollow.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -8,21 +7,20 @@
 
 namespace passive_haptics {
 
-/// Which side of a round wall is free.
+/// The free side of a round wall.
 enum class filling {
-  solid,   ///< Free outside: the wall is convex for the hand.
-  hollow,  ///< Free inside: the wall is concave for the hand.
+  solid,   ///< Free outside.
+  hollow,  ///< Free inside.
 };
 
-/// Centre, radius and free side of a round wall.
+/// Parameters of ball.
 template <int D>
 struct ball_parameters {
   point<D> centre = point<D>::Zero();  ///< [m]
   double radius = 0;                   ///< [m], > 0
-  filling inside = filling::solid;     ///< Which side is free.
+  filling inside = filling::solid;     ///< The free side.
 
   static constexpr const char* type_name = "a ball";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = ball_parameters;
     return member_table(member("centre", &p::centre, "m", range::finite),
@@ -31,8 +29,7 @@ struct ball_parameters {
   }
 };
 
-/// distance(x) = |x - c| - r if solid, r - |x - c| if hollow. At the centre, where the gradient does not
-/// exist, it is the x axis.
+/// distance(x) = |x - c| - r if solid, r - |x - c| if hollow. The gradient at the centre is the x axis.
 template <int D>
 class ball {
  public:
@@ -43,19 +40,19 @@ class ball {
   explicit ball(const ball_parameters<D>& p)
       : centre_(require_valid(p).centre), radius_(p.radius), sign_(p.inside == filling::solid ? 1.0 : -1.0) {}
 
-  /// Round wall about centre [m] with radius [m].
+  /// Centre [m] and radius [m].
   ball(const point<D>& centre, double radius, filling inside = filling::solid)
       : ball(ball_parameters<D>{centre, radius, inside}) {}
 
-  /// Not in this order.
+  /// Rejects the wrong order of arguments.
   ball(double, const point<D>&, filling = filling::solid) {
     static_assert(D < 0, "passive_haptics: the arguments of a ball are (centre, radius), in this order.");
   }
 
-  /// Signed distance [m]; one square root.
+  /// Signed distance [m].
   double distance(const point<D>& x) const { return sign_ * ((x - centre_).norm() - radius_); }
 
-  /// Unit vector away from the surface, to the free side; one square root.
+  /// Unit vector to the free side.
   point<D> gradient(const point<D>& x) const {
     const point<D> r = x - centre_;
     const double length = r.norm();
@@ -67,7 +64,7 @@ class ball {
     return sign_ * detail::hessian_of_length<D>(x - centre_, matrix<double, D, D>::Identity());
   }
 
-  /// The cube about a solid ball; a hollow one is everywhere.
+  /// Bounding cube of a solid ball; infinite for a hollow one.
   bounding_box<D> bounds() const { return sign_ > 0 ? box_about(centre_, radius_) : everywhere<D>(); }
 
  private:
@@ -76,7 +73,7 @@ class ball {
   double sign_;  // 1 solid, -1 hollow
 };
 
-/// A ball in the plane.
+/// A planar ball.
 using disc = ball<2>;
 
 }  // namespace passive_haptics

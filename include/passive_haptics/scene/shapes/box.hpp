@@ -1,5 +1,4 @@
-/// @file
-/// A rectangular wall: rectangle (2-D) or box (3-D), aligned with any orthonormal frame.
+/// Rectangles (2-D) and boxes (3-D) in any orientation.
 #pragma once
 
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
@@ -13,26 +12,24 @@
 
 namespace passive_haptics {
 
-/// How far the axes of a box may be from orthonormal, |a_i . a_j - delta_ij|: six printed digits. The box
-/// orthonormalises them.
+/// Maximum |a_i . a_j - delta_ij| of the axes of a box (six printed digits); the box orthonormalises them.
 inline constexpr double box_axes_tolerance = 1e-5;
 
-/// Centre, size and directions of a box.
+/// Parameters of box.
 template <int D>
 struct box_parameters {
-  point<D> centre = point<D>::Zero();        ///< [m]
-  point<D> half_extents = point<D>::Zero();  ///< Centre to face along each axis [m], >= 0.
+  point<D> centre = point<D>::Zero();                            ///< [m]
+  point<D> half_extents = point<D>::Zero();                      ///< From the centre to the faces [m], >= 0.
   matrix<double, D, D> axes = matrix<double, D, D>::Identity();  ///< Orthonormal columns, base frame.
 
   static constexpr const char* type_name = "a box";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = box_parameters;
     return member_table(member("centre", &p::centre, "m", range::finite),
                         member("half_extents", &p::half_extents, "m", range::not_negative),
                         member("axes", &p::axes, "1", range::finite));
   }
-  /// The axes are orthonormal within box_axes_tolerance.
+  /// Requires orthonormal axes within box_axes_tolerance.
   error_message rules() const {
     const double skew = (axes.transpose() * axes - matrix<double, D, D>::Identity()).cwiseAbs().maxCoeff();
     if (skew <= box_axes_tolerance) return {};
@@ -40,9 +37,8 @@ struct box_parameters {
   }
 };
 
-/// In the box's own frame, with q = |R^T (x - c)| - h by components: distance(x) = |max(q, 0)| outside and
-/// max_i q_i inside. Exact on both sides. Where faces are equally near from inside, the first one gives the
-/// gradient.
+/// In the frame of the box, with q = |R^T (x - c)| - h by components: distance(x) = |max(q, 0)| outside and
+/// max_i q_i inside; exact on both sides. Among equally near faces inside, the first determines the gradient.
 template <int D>
 class box {
  public:
@@ -56,14 +52,14 @@ class box {
   /// Box about centre [m] with half_extents [m] along the base frame.
   box(const point<D>& centre, const point<D>& half_extents) : box(box_parameters<D>{centre, half_extents}) {}
 
-  /// Signed distance [m]; one square root outside, D^2 multiplications.
+  /// Signed distance [m].
   double distance(const point<D>& x) const {
     const point<D> q = beyond_faces(local(x));
     const double inside = q.maxCoeff();
     return inside > 0 ? q.cwiseMax(0).norm() : inside;
   }
 
-  /// Unit vector away from the nearest point of the surface, to the free side.
+  /// Unit vector to the free side.
   point<D> gradient(const point<D>& x) const {
     const point<D> at = local(x);
     const point<D> q = beyond_faces(at);
@@ -74,8 +70,8 @@ class box {
     return axes_ * side.cwiseProduct(detail::direction_or<D>(q.cwiseMax(0), face));
   }
 
-  /// Zero inside and in front of a face; beyond an edge or corner (P - n n^T) / distance(x), where P is the
-  /// projection onto the directions in which x is beyond the box [1/m].
+  /// Zero inside and in front of a face. Beyond an edge or corner (P - n n^T) / distance(x) [1/m], with the
+  /// projection P onto the directions in which x is outside the box.
   matrix<double, D, D> hessian(const point<D>& x) const {
     const point<D> at = local(x);
     const point<D> q = beyond_faces(at).cwiseMax(0);
@@ -85,10 +81,9 @@ class box {
     return axes_ * detail::hessian_of_length<D>(r, is_beyond.asDiagonal()) * axes_.transpose();
   }
 
-  /// The smallest extent [m].
-  double thickness() const { return 2 * half_extents_.minCoeff(); }
+  double thickness() const { return 2 * half_extents_.minCoeff(); }  ///< Minimum extent [m].
 
-  /// The 2 D faces as walls whose common inside is the box: axis 0 positive and negative, axis 1, ...
+  /// The 2 D faces, with the box as common inside: axis 0 positive, axis 0 negative, axis 1, ...
   std::array<half_space<D>, std::size_t(2 * D)> faces() const {
     const auto face = [this](int k) {
       const point<D> normal = (k % 2 == 0 ? 1 : -1) * axes_.col(k / 2);
@@ -99,7 +94,7 @@ class box {
     }(std::make_integer_sequence<int, 2 * D>());
   }
 
-  /// The box along the base frame about this one.
+  /// Axis-aligned bounding box.
   bounding_box<D> bounds() const {
     const point<D> half = axes_.cwiseAbs() * half_extents_;
     return {centre_ - half, centre_ + half};
@@ -123,7 +118,7 @@ class box {
   matrix<double, D, D> axes_;
 };
 
-/// A box in the plane.
+/// A planar box.
 using rectangle = box<2>;
 
 }  // namespace passive_haptics

@@ -1,4 +1,3 @@
-/// @file
 /// A rounded bar: all points within a radius of a segment.
 #pragma once
 
@@ -10,29 +9,27 @@
 
 namespace passive_haptics {
 
-/// The ends of the segment and the radius about it.
+/// Parameters of capsule.
 template <int D>
 struct capsule_parameters {
   point<D> from = point<D>::Zero();  ///< One end of the segment [m].
-  point<D> to = point<D>::Zero();    ///< The other end [m]; may be the same, which gives a ball.
-  double radius = 0;                 ///< [m], >= 0; a bare segment has no inside until an offset grows it.
+  point<D> to = point<D>::Zero();    ///< The other end [m]; equal ends give a ball.
+  double radius = 0;                 ///< [m], >= 0. A capsule of radius 0 has no inside.
 
   static constexpr const char* type_name = "a capsule";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = capsule_parameters;
     return member_table(member("from", &p::from, "m", range::finite),
                         member("to", &p::to, "m", range::finite),
                         member("radius", &p::radius, "m", range::not_negative));
   }
-  /// The length does not overflow.
+  /// Requires a length that does not overflow.
   error_message rules() const {
     return check_value("length", length_of(to - from), "m", range::finite, type_name);
   }
 };
 
-/// distance(x) = |x - c(x)| - r with c(x) the point of the segment nearest to x. Exact. On the segment
-/// itself, where the gradient does not exist, it is a direction across the segment.
+/// distance(x) = |x - c(x)| - r, c(x) the nearest point of the segment. On it, the gradient is perpendicular.
 template <int D>
 class capsule {
  public:
@@ -46,19 +43,19 @@ class capsule {
         length_(length_of(p.to - p.from)),
         radius_(p.radius) {}
 
-  /// Bar with a radius [m] about the segment between two points [m].
+  /// Segment between two points [m] with a radius [m].
   capsule(const point<D>& from, const point<D>& to, double radius)
       : capsule(capsule_parameters<D>{from, to, radius}) {}
 
-  /// Signed distance [m]; one square root.
+  /// Signed distance [m].
   double distance(const point<D>& x) const { return from_segment(x).norm() - radius_; }
 
-  /// Unit vector away from the segment; one square root.
+  /// Unit vector away from the segment.
   point<D> gradient(const point<D>& x) const {
     return detail::direction_or<D>(from_segment(x), detail::any_perpendicular<D>(axis_));
   }
 
-  /// (P - n n^T) / |x - c| [1/m]; P = I about an end, I - a a^T about the segment along the unit vector a.
+  /// (P - n n^T) / |x - c| [1/m]; P = I near an end, I - a a^T along the segment with unit vector a.
   matrix<double, D, D> hessian(const point<D>& x) const {
     const double along = axis_.dot(x - from_);
     matrix<double, D, D> P = matrix<double, D, D>::Identity();
@@ -69,10 +66,9 @@ class capsule {
     return detail::hessian_of_length<D>(from_segment(x), P);
   }
 
-  /// The diameter [m].
-  double thickness() const { return 2 * radius_; }
+  double thickness() const { return 2 * radius_; }  ///< The diameter [m].
 
-  /// The box about the ends, wider by the radius.
+  /// Bounding box.
   bounding_box<D> bounds() const {
     bounding_box<D> box{from_, from_};
     box.extend(from_ + length_ * axis_);

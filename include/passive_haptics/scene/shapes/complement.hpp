@@ -1,4 +1,3 @@
-/// @file
 /// A shape with wall and free space swapped.
 #pragma once
 
@@ -8,24 +7,22 @@
 
 namespace passive_haptics {
 
-/// distance(x) = -S(x): a solid becomes a hollow. Exact where S is. One contact at most: in a corner only
-/// that of the nearest face. Give each face as a wall to feel all of them (walls_of).
+/// distance(x) = -S(x), which turns a solid into a hollow. Reports the contact of the nearest face only; use
+/// walls_of if all faces of a corner must be felt.
 template <class S>
 class complement : public shape_wrapper<S> {
  public:
   using shape_wrapper<S>::dimension;  ///< d
 
-  /// Everything outside the shape.
-  explicit complement(S shape) : shape_wrapper<S>(std::move(shape)) {}
+  explicit complement(S shape) : shape_wrapper<S>(std::move(shape)) {}  ///< Everything outside the shape.
 
-  /// Signed distance [m]; that of the shape, negated.
+  /// Signed distance [m].
   double distance(const point<dimension>& x) const { return -this->shape_.distance(x); }
 
   /// Gradient of the shape, negated.
   point<dimension> gradient(const point<dimension>& x) const { return -this->shape_.gradient(x); }
 
-  /// Infinite: what surrounds a hollow has one side.
-  static constexpr double thickness() { return std::numeric_limits<double>::infinity(); }
+  static constexpr double thickness() { return std::numeric_limits<double>::infinity(); }  ///< Infinite.
 
   /// Hessian of the shape, negated [1/m].
   matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
@@ -35,7 +32,7 @@ class complement : public shape_wrapper<S> {
   }
 };
 
-/// complement(complement(s)) is the complement of a complement, not a copy.
+/// complement(complement(s)) wraps twice instead of copying.
 template <class S>
 complement(complement<S>) -> complement<complement<S>>;
 

@@ -1,5 +1,4 @@
-/// @file
-/// A convex polygon by its corners, in the plane.
+/// Convex polygons by their corners.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -16,7 +15,7 @@
 namespace passive_haptics {
 
 namespace detail {
-/// Twice the area enclosed by the corners [m^2], > 0 if they run counterclockwise.
+/// Twice the area enclosed by the corners [m^2], > 0 if counterclockwise.
 template <std::size_t K>
 double twice_area(const std::array<point<2>, K>& corners) {
   double area = 0;
@@ -26,25 +25,24 @@ double twice_area(const std::array<point<2>, K>& corners) {
 }
 }  // namespace detail
 
-/// The corners, one after the other, either way round.
+/// Parameters of convex_polygon: the corners in either order around it.
 template <int K>
 struct convex_polygon_parameters {
   /// [m]; three on a line are allowed.
   std::array<point<2>, static_cast<std::size_t>(K)> corners = nowhere();
 
   static constexpr const char* type_name = "a convex_polygon";  ///< In errors.
-  /// All corners in one place, which is refused.
+  /// Default corners, all in one place, which is an error.
   static std::array<point<2>, static_cast<std::size_t>(K)> nowhere() {
     std::array<point<2>, static_cast<std::size_t>(K)> all;
     all.fill({0, 0});
     return all;
   }
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = convex_polygon_parameters;
     return member_table(member("corners", &p::corners, "m", range::finite));
   }
-  /// The polygon is convex and has an area. K^2 operations.
+  /// Requires a convex polygon with an area, in O(K^2).
   std::string rules() const {
     const auto corner = [&](std::size_t i) { return corners[i % corners.size()]; };
     const auto name = [](std::size_t i) { return detail::indexed("corner ", i, " of a convex_polygon "); };
@@ -67,8 +65,8 @@ struct convex_polygon_parameters {
   }
 };
 
-/// distance(x) = max_i n_i . (x - c_i) inside, the distance to the nearest edge outside. Exact on both sides.
-/// Where edges are equally near from inside, the first one gives the gradient.
+/// distance(x) = max_i n_i . (x - c_i) inside, the distance to the nearest edge outside; exact on both sides.
+/// Among equally near edges inside, the first determines the gradient.
 template <int K>
 class convex_polygon {
   static_assert(K >= 3, "passive_haptics: a convex_polygon has three corners or more.");
@@ -96,27 +94,25 @@ class convex_polygon {
   explicit convex_polygon(const point<2> (&corners)[corner_count])
       : convex_polygon(convex_polygon_parameters<K>{std::to_array(corners)}) {}
 
-  /// Signed distance [m]; 4 K multiplications, and one square root for each corner nearest on an edge in
-  /// sight.
-  double distance(const point<2>& x) const { return nearest(x).distance; }
+  double distance(const point<2>& x) const { return nearest(x).distance; }  ///< Signed distance [m], in O(K).
 
-  /// Unit vector away from the nearest point of the surface, to the free side.
+  /// Unit vector to the free side.
   point<2> gradient(const point<2>& x) const { return nearest(x).gradient; }
 
-  /// (I - n n^T) / distance(x) where a corner is nearest from outside [1/m], else zero; cost as distance.
+  /// (I - n n^T) / distance(x) [1/m] if a corner is nearest from outside, else zero.
   matrix<double, 2, 2> hessian(const point<2>& x) const {
     const result at = nearest(x);
     if (!at.is_corner) return matrix<double, 2, 2>::Zero();
     return detail::hessian_of_length<2>(at.distance * at.gradient, matrix<double, 2, 2>::Identity());
   }
 
-  /// The edges as walls whose common inside is the polygon, in the order of the corners they start at.
+  /// The edges as walls with the polygon as their common inside, in the order of their start corners.
   std::array<half_space<2>, corner_count> faces() const {
     const auto walls = [](const auto&... e) { return std::array{half_space<2>(e.start, e.normal)...}; };
     return std::apply(walls, edges_);
   }
 
-  /// The rectangle about the corners.
+  /// Bounding rectangle.
   bounding_box<2> bounds() const {
     bounding_box<2> box;
     for (const edge& e : edges_) box.extend(e.start);
@@ -134,7 +130,7 @@ class convex_polygon {
     bool is_corner;
   };
 
-  template <class Point>  // template: instantiated only where used
+  template <class Point>  // instantiated only if used
   result nearest(const Point& x) const {
     result inside{-std::numeric_limits<double>::infinity(), Point::Zero(), false};
     result outside{std::numeric_limits<double>::infinity(), {1, 0}, false};
@@ -143,8 +139,7 @@ class convex_polygon {
       const double over = e.normal.dot(r), s = e.along.dot(r);
       if (!(over <= inside.distance)) inside = {over, e.normal, false};
       if (!(over > 0)) continue;  // from outside, the nearest edge is in sight
-      if (s >= 0 && s <= e.length)
-        return {over, e.normal, false};  // all of the polygon lies behind this edge
+      if (s >= 0 && s <= e.length) return {over, e.normal, false};  // all of the polygon is behind this edge
       const Point from_corner = s < 0 ? r : Point(r - e.length * e.along);
       const double d = from_corner.norm();
       if (d < outside.distance) outside = {d, detail::direction_or<2>(from_corner, e.normal), true};
@@ -155,11 +150,11 @@ class convex_polygon {
   std::array<edge, corner_count> edges_;
 };
 
-/// The number of corners follows from the list.
+/// Deduces the number of corners from the list.
 template <std::size_t K>
 convex_polygon(const point<2> (&)[K]) -> convex_polygon<static_cast<int>(K)>;
 
-/// The number of corners follows from the parameters.
+/// Deduces the number of corners from the parameters.
 template <int K>
 convex_polygon(const convex_polygon_parameters<K>&) -> convex_polygon<K>;
 

@@ -1,5 +1,4 @@
-/// @file
-/// A convex polytope by the half-spaces that bound it.
+/// Convex polytopes by their half-spaces.
 #pragma once
 
 #include <passive_haptics/core/linear/least_distance.hpp>
@@ -18,7 +17,6 @@ namespace passive_haptics {
 
 namespace detail {
 
-/// Normals of planes, by columns.
 template <int D, std::size_t K>
 matrix<double, D, static_cast<int>(K)> normals_of(const std::array<half_space<D>, K>& faces) {
   matrix<double, D, static_cast<int>(K)> N;
@@ -26,7 +24,6 @@ matrix<double, D, static_cast<int>(K)> normals_of(const std::array<half_space<D>
   return N;
 }
 
-/// Distances of x from planes.
 template <int D, std::size_t K>
 vector<double, static_cast<int>(K)> distances_from(const std::array<half_space<D>, K>& faces,
                                                    const point<D>& x) {
@@ -35,17 +32,16 @@ vector<double, static_cast<int>(K)> distances_from(const std::array<half_space<D
   return g;
 }
 
-/// Half-spaces from their parameters.
 template <int D, std::size_t K>
 std::array<half_space<D>, K> half_spaces(const std::array<half_space_parameters<D>, K>& p) {
   return std::apply([](const auto&... face) { return std::array{half_space<D>(face)...}; }, p);
 }
 
-/// Error about half-spaces without a common inside. Planes within 1e-8 rad of parallel count as parallel.
+/// Error text for half-spaces without a common inside. Planes within 1e-8 rad count as parallel.
 template <int D, std::size_t K>
 std::string check_common_inside(const std::array<half_space<D>, K>& faces) {
   constexpr int k = static_cast<int>(K);
-  constexpr double parallel = 1e-8;  // rad; about the root of the rounding of double
+  constexpr double parallel = 1e-8;  // rad, about the square root of the rounding of double
   const matrix<double, D, k> N = normals_of(faces);
   const vector<double, k> g = distances_from<D, K>(faces, point<D>::Zero());
   if (g.maxCoeff() <= 0 || least_distance<double, D, k>(N, g).residual >= parallel) return {};
@@ -54,29 +50,24 @@ std::string check_common_inside(const std::array<half_space<D>, K>& faces) {
 
 }  // namespace detail
 
-/// The planes of the faces; the polytope is what lies behind all of them. It may be unbounded, planes may be
-/// redundant.
+/// Parameters of convex_polytope: the planes of its faces. It may be unbounded; planes may be redundant.
 template <int D, int K>
 struct convex_polytope_parameters {
-  std::array<half_space_parameters<D>, static_cast<std::size_t>(K)> faces;  ///< Normals out of the polytope.
+  std::array<half_space_parameters<D>, static_cast<std::size_t>(K)>
+      faces;  ///< Faces with normals out of the polytope.
 
   static constexpr const char* type_name = "a convex_polytope";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = convex_polytope_parameters;
     return member_table(member("faces", &p::faces));
   }
-  /// There is something behind all of them.
+  /// Requires a common inside.
   std::string rules() const { return detail::check_common_inside(detail::half_spaces(faces)); }
 };
 
-/// distance(x) = max_i n_i . (x - p_i) inside, the distance to the nearest point of the polytope outside.
-/// Exact on both sides, to the rounding of n_i . (x - p_i) divided by the sine of the sharpest angle between
-/// the faces that meet at the nearest point. Where faces are equally near from inside, the first one gives
-/// the gradient.
-///
-/// One contact at most, as every shape. In a room the handle can touch several faces: give each face as a
-/// wall (walls_of).
+/// distance(x) = max_i n_i . (x - p_i) inside, the distance to the nearest point outside, exact to rounding
+/// by the sine of the sharpest angle between faces. Among equally near faces inside, the first determines the
+/// gradient. Like every shape it has at most one contact; for a room use walls_of.
 template <int D, int K>
 class convex_polytope {
   static_assert(K >= 1, "passive_haptics: a convex_polytope has one face or more.");
@@ -90,7 +81,7 @@ class convex_polytope {
   explicit convex_polytope(const convex_polytope_parameters<D, K>& p)
       : faces_(detail::half_spaces(require_valid(p).faces)), normals_(detail::normals_of(faces_)) {}
 
-  /// What lies behind all of these; throws std::invalid_argument if nothing does.
+  /// Common inside of these half-spaces; throws std::invalid_argument if there is none.
   template <std::same_as<half_space<D>>... Rest>
     requires(sizeof...(Rest) + 1 == face_count)
   explicit convex_polytope(const half_space<D>& first, const Rest&... rest)
@@ -98,17 +89,17 @@ class convex_polytope {
     require_no_error(detail::check_common_inside(faces_));
   }
 
-  /// Signed distance [m]; K D multiplications inside, outside a cone projection as well.
+  /// Signed distance [m]: K D multiplications inside, in addition a cone projection outside.
   double distance(const point<D>& x) const { return nearest(x).distance; }
 
-  /// Unit vector away from the nearest point of the surface, to the free side; cost as distance.
+  /// Unit vector to the free side; cost as distance().
   point<D> gradient(const point<D>& x) const { return nearest(x).gradient; }
 
-  /// (P - n n^T) / distance(x) where an edge or corner is nearest from outside, else zero [1/m]; P is the
-  /// projection onto the normals of the faces that meet there. Cost as distance, and their Gram-Schmidt.
+  /// (P - n n^T) / distance(x) [1/m] if an edge or corner is nearest from outside, else zero. P is the
+  /// projection onto the normals of the faces there.
   matrix<double, D, D> hessian(const point<D>& x) const {
     const result at = nearest(x);
-    matrix<double, D, D> Q = matrix<double, D, D>::Zero();  // orthonormal, of these normals
+    matrix<double, D, D> Q = matrix<double, D, D>::Zero();  // orthonormal basis of these normals
     int rank = 0;
     for (int i = 0; i < K; ++i) {
       if (!(at.multipliers[i] > 0) || rank == D) continue;
@@ -120,14 +111,14 @@ class convex_polytope {
     return detail::hessian_of_length<D>(at.distance * at.gradient, Q * Q.transpose());
   }
 
-  /// The half-spaces whose common inside is the polytope.
+  /// The half-spaces with the polytope as their common inside.
   const std::array<half_space<D>, face_count>& faces() const { return faces_; }
 
  private:
   struct result {
     double distance;
     point<D> gradient;
-    vector<double, K> multipliers;  // > 0 for the faces that meet at the nearest edge or corner
+    vector<double, K> multipliers;  // > 0 for the faces at the nearest edge or corner
   };
 
   result nearest(const point<D>& x) const {
@@ -135,7 +126,7 @@ class convex_polytope {
     int nearest_plane = 0;
     const double largest = g.maxCoeff(&nearest_plane);
     if (largest > 0) {
-      // To the nearest point leads the shortest way to behind all planes
+      // The nearest point is the shortest displacement to behind all planes
       const least_distance<double, D, K> least(normals_, g);
       const double length = least.way.norm(), distance = least.multipliers.dot(g) / length;
       if (distance > largest) return {distance, least.way / length, least.multipliers};
@@ -147,7 +138,7 @@ class convex_polytope {
   matrix<double, D, K> normals_;
 };
 
-/// Dimension and number of faces follow from the half-spaces.
+/// Deduces dimension and number of faces from the half-spaces.
 template <int D, class... Rest>
 convex_polytope(const half_space<D>&, const Rest&...)
     -> convex_polytope<D, 1 + static_cast<int>(sizeof...(Rest))>;

@@ -1,5 +1,4 @@
-/// @file
-/// Unit vectors for gradients, also where a gradient does not exist, and their derivative.
+/// Unit vectors and derivatives for gradients.
 #pragma once
 
 #include <passive_haptics/scene/shape.hpp>
@@ -17,8 +16,7 @@ point<D> direction_or(const point<D>& r, const point<D>& otherwise) {
   return scaled / scaled.norm();
 }
 
-/// Hessian of the length |P x| at r = P r, where P is a projection [1/m]: (P - r r^T / |r|^2) / |r|; zero
-/// where r = 0.
+/// Hessian of |P x| at r = P r for a projection P [1/m]: (P - r r^T / |r|^2) / |r|; zero if r = 0.
 template <int D>
 matrix<double, D, D> hessian_of_length(const point<D>& r, const matrix<double, D, D>& P) {
   const double square = r.squaredNorm();
@@ -26,7 +24,7 @@ matrix<double, D, D> hessian_of_length(const point<D>& r, const matrix<double, D
   return 1 / std::sqrt(square) * (P - r * r.transpose() / square);
 }
 
-/// A unit vector at right angles to the unit vector or zero `axis`; the x axis for zero.
+/// A unit vector perpendicular to the unit vector `axis`; the x axis for a zero vector.
 template <int D>
 point<D> any_perpendicular(const point<D>& axis) {
   int across = 0;

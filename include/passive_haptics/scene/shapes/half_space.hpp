@@ -1,5 +1,4 @@
-/// @file
-/// A plane wall.
+/// Planar walls.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -7,14 +6,13 @@
 
 namespace passive_haptics {
 
-/// A point on a plane wall and the direction out of it.
+/// Parameters of half_space.
 template <int D>
 struct half_space_parameters {
   point<D> surface_point = point<D>::Zero();  ///< Any point of the surface [m].
-  point<D> normal = point<D>::Zero();         ///< Out of the wall, towards the free side; any length > 0.
+  point<D> normal = point<D>::Zero();         ///< Outward direction, any length > 0.
 
   static constexpr const char* type_name = "a half_space";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = half_space_parameters;
     return member_table(member("surface_point", &p::surface_point, "m", range::finite),
@@ -22,7 +20,7 @@ struct half_space_parameters {
   }
 };
 
-/// The wall behind a plane: distance(x) = n . (x - p).
+/// The wall behind a plane, distance(x) = n . (x - p).
 template <int D>
 class half_space {
  public:
@@ -33,15 +31,13 @@ class half_space {
   explicit half_space(const half_space_parameters<D>& p)
       : normal_(direction_of(require_valid(p).normal)), point_(p.surface_point) {}
 
-  /// Wall through surface_point with the free side where normal points.
+  /// Wall through surface_point with this outward normal.
   half_space(const point<D>& surface_point, const point<D>& normal)
       : half_space(half_space_parameters<D>{surface_point, normal}) {}
 
-  /// Signed distance [m]; D multiplications.
-  double distance(const point<D>& x) const { return normal_.dot(x - point_); }
+  double distance(const point<D>& x) const { return normal_.dot(x - point_); }  ///< Signed distance [m].
 
-  /// The unit normal.
-  point<D> gradient(const point<D>&) const { return normal_; }
+  point<D> gradient(const point<D>&) const { return normal_; }  ///< The unit normal.
 
  private:
   point<D> normal_;

@@ -1,5 +1,4 @@
-/// @file
-/// A shape that is carried along.
+/// Moving shapes.
 #pragma once
 
 #include <passive_haptics/scene/shapes/shape_wrapper.hpp>
@@ -8,39 +7,34 @@
 
 namespace passive_haptics {
 
-/// distance(x) = S(x - u) for a displacement u, and its velocity for the contacts. Motion comes from outside:
-/// set it before each cycle. It is not checked here; a step reports a displacement or velocity that is not
-/// finite.
+/// distance(x) = S(x - u) for a displacement u, which is set before each cycle. Displacement and velocity are
+/// independent, so that a conveyor is a shape, too. Velocities of nested moving shapes add up. No bounds.
 ///
-/// Displacement and velocity are two values, so that a conveyor (velocity, no displacement) is a shape too.
-/// Of a moving shape inside another the velocities add. It provides no bounds, as they would move.
-///
-/// **A wall that moves towards the hand.** Brakes hold, they do not push: the work against the push F_n of
-/// the hand comes from the hand's own pull F_t along the wall, F_t v_t >= F_n v_wall. A hand that pulls less
-/// stops, and the wall runs into it at v_wall until it pulls enough: at 1 cm/s 2 to 6 mm, at 2 cm/s 5 to 9 mm
-/// deep where the device deflects well, without end where no brake can turn the motion outward. A wall
-/// that moves away, or along its surface, is followed as one at rest.
+/// **Walls that move towards the hand.** Brakes only resist: the work against the push F_n of the hand must
+/// come from the hand's own pull F_t along the wall, F_t v_t >= F_n v_wall. If the hand pulls less, it stops,
+/// and the wall runs into it: 2 to 6 mm deep at 1 cm/s and 5 to 9 mm at 2 cm/s if the device deflects well,
+/// without limit if no brake can turn the motion outward.
 template <class S>
 class moving : public shape_wrapper<S> {
  public:
   using shape_wrapper<S>::dimension;  ///< d
 
-  /// The shape, at rest and where it is.
+  /// The shape, at rest in its original place.
   explicit moving(S shape) : shape_wrapper<S>(std::move(shape)) {}
 
-  /// Displacement from where the shape was made [m], and velocity of its surface [m/s]; base frame.
+  /// Sets the displacement from the original place [m] and the velocity of the surface [m/s]; base frame.
   void set_motion(const point<dimension>& displacement, const point<dimension>& velocity) {
     set_displacement_ = displacement_ = displacement;
     velocity_ = velocity;
   }
 
-  /// Carries the shape on with its velocity for this time [s] from where set_motion put it.
+  /// Extrapolates the motion by this time [s] from the values of set_motion.
   void extrapolate(double seconds) {
     displacement_ = set_displacement_ + seconds * velocity_;
     if constexpr (requires { this->shape_.extrapolate(seconds); }) this->shape_.extrapolate(seconds);
   }
 
-  /// Signed distance [m]; that of the shape and D subtractions.
+  /// Signed distance [m].
   double distance(const point<dimension>& x) const { return this->shape_.distance(x - displacement_); }
 
   /// Gradient of the displaced shape.
@@ -66,7 +60,7 @@ class moving : public shape_wrapper<S> {
   point<dimension> velocity_ = point<dimension>::Zero();
 };
 
-/// moving(moving(s)) is carried twice, not a copy.
+/// moving(moving(s)) wraps twice instead of copying.
 template <class S>
 moving(moving<S>) -> moving<moving<S>>;
 

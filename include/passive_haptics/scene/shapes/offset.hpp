@@ -1,5 +1,4 @@
-/// @file
-/// A shape grown or shrunk.
+/// Shapes with an offset surface.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -10,22 +9,21 @@
 
 namespace passive_haptics {
 
-/// How much a wall grows.
+/// Parameters of offset.
 struct offset_parameters {
-  double growth = 0;  ///< The surface moves this far to the free side [m]; < 0 shrinks the wall.
+  double growth = 0;  ///< Displacement of the surface to the free side [m]; < 0 shrinks the wall.
 
   static constexpr const char* type_name = "an offset";  ///< In errors.
-  /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = offset_parameters;
     return member_table(member("growth", &p::growth, "m", range::finite));
   }
 };
 
-/// distance(x) = S(x) - growth: for a tool of radius `growth`, or with edges rounded by it.
+/// distance(x) = S(x) - growth, for a tool of radius `growth` or for rounded edges.
 ///
-/// A grown wall is exact outside if S is. A shrunk one is the set of points deeper than -growth; its distance
-/// is exact inside, and outside a lower bound that is exact except beyond edges which S rounds.
+/// A grown wall is exact outside if S is. A shrunk wall is the set of points deeper than -growth; its
+/// distance is exact inside, and a lower bound outside, exact except beyond edges that S rounds.
 template <class S>
 class offset : public shape_wrapper<S> {
  public:
@@ -35,13 +33,13 @@ class offset : public shape_wrapper<S> {
   offset(S shape, double growth)
       : shape_wrapper<S>(std::move(shape)), growth_(require_valid(offset_parameters{growth}).growth) {}
 
-  /// Signed distance [m]; that of the shape and a subtraction.
+  /// Signed distance [m].
   double distance(const point<dimension>& x) const { return this->shape_.distance(x) - growth_; }
 
-  /// Thickness of the shape, grown on both sides [m].
+  /// Thickness, grown on both sides [m].
   double thickness() const { return thickness_of(this->shape_) + 2 * growth_; }
 
-  /// The bounds of the shape, wider by the growth; those of a shrunk one are not narrower.
+  /// Bounds of the shape, extended by the growth if that is > 0.
   bounding_box<dimension> bounds() const
     requires BoundedShape<S>
   {

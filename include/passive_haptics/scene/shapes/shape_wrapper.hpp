@@ -1,5 +1,4 @@
-/// @file
-/// What shapes that are made of another one have in common.
+/// Common base of shapes made from another shape.
 #pragma once
 
 #include <passive_haptics/scene/shape.hpp>
@@ -8,8 +7,8 @@
 
 namespace passive_haptics {
 
-/// Base of a shape around a shape S: passes on each optional member of S that the wrapper does not define
-/// itself, except bounds(), which depend on what the wrapper does.
+/// Base of a shape around a shape S. Forwards each optional member of S that the wrapper does not define,
+/// except bounds(), which depend on the wrapper.
 template <class S>
 class shape_wrapper {
   static_assert(Shape<S>, "passive_haptics: the wrapped type must be a Shape (scene/shape.hpp).");
@@ -35,26 +34,21 @@ class shape_wrapper {
     return shape_.hessian(x);
   }
 
-  /// Thickness of the shape [m].
-  double thickness() const { return thickness_of(shape_); }
+  double thickness() const { return thickness_of(shape_); }  ///< Thickness of the shape [m].
 
-  /// Carries the shape on for this time [s].
+  /// Extrapolates the motion by this time [s].
   void extrapolate(double seconds)
     requires requires(S& s) { s.extrapolate(seconds); }
   {
     shape_.extrapolate(seconds);
   }
 
-  /// The shape itself, to move it.
-  S& shape() { return shape_; }
+  S& shape() { return shape_; }  ///< The wrapped shape.
 
  protected:
-  /// Of the shape.
-  explicit shape_wrapper(S shape) : shape_(std::move(shape)) {}
-  /// Of a whole wrapper alone.
-  shape_wrapper(const shape_wrapper&) = default;
-  /// Of a whole wrapper alone.
-  shape_wrapper& operator=(const shape_wrapper&) = default;
+  explicit shape_wrapper(S shape) : shape_(std::move(shape)) {}  ///< Wraps the shape.
+  shape_wrapper(const shape_wrapper&) = default;                 ///< Protected, against slicing.
+  shape_wrapper& operator=(const shape_wrapper&) = default;      ///< Protected, against slicing.
 
   S shape_;  ///< The shape.
 };

@@ -1,8 +1,7 @@
-/// @file
-/// Guidance along a line or in a plane as walls: what keeps a tool on a path by its geometry alone.
+/// Guidance along a line or in a plane by walls.
 ///
 /// Reference: L. B. Rosenberg, Virtual fixtures: perceptual tools for telerobotic manipulation, IEEE VRAIS
-/// 1993, pp. 76-82. force/effects/guide.hpp has the same as a resistance without a wall.
+/// 1993, pp. 76-82. force/effects/guide.hpp is the counterpart by resistance without a wall.
 #pragma once
 
 #include <passive_haptics/scene/scene.hpp>
@@ -12,16 +11,14 @@
 
 namespace passive_haptics {
 
-/// Free space within radius [m] of the segment between two points [m]: guidance along a line, with round
-/// ends.
+/// Returns the free space within radius [m] of the segment between two points [m], with round ends.
 template <int D>
 complement<capsule<D>> tube(const point<D>& from, const point<D>& to, double radius) {
   return complement<capsule<D>>(capsule<D>(from, to, radius));
 }
 
-/// Free space within half_width [m] of the plane through a point [m] with this normal: guidance in a plane
-/// (2-D: along a line without ends). Two walls, of which one at most is touched at a time; wall 0 is on the
-/// side of the normal. Stiffness in N/m.
+/// Free space within half_width [m] of the plane (2-D: line) through a point [m]. At most one of its walls is
+/// touched at a time; wall 0 is on the side of the normal. Stiffness in N/m.
 template <int D>
 static_scene<half_space<D>, half_space<D>> slot(const point<D>& centre, const point<D>& normal,
                                                 double half_width, double stiffness = 1e7) {

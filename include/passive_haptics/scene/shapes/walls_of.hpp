@@ -1,5 +1,4 @@
-/// @file
-/// The inside of a convex shape as one wall for each face.
+/// The inside of a convex shape with one wall per face.
 #pragma once
 
 #include <passive_haptics/scene/scene.hpp>
@@ -10,19 +9,17 @@
 
 namespace passive_haptics {
 
-/// A shape bounded by planes: `faces()` gives an array of half-spaces whose common inside is the shape.
+/// A shape bounded by planes: `faces()` returns an array of half-spaces, the shape is their common inside.
 template <class S>
 concept PlaneFaced = Shape<S> && requires(const S shape) {
   { shape.faces().front() } -> std::convertible_to<half_space<S::dimension>>;
   shape.faces().size();
 };
 
-/// A scene whose free space is the inside of a box, convex_polygon or convex_polytope.
+/// Returns a scene with the inside of a box, convex_polygon or convex_polytope as its free space.
 ///
-/// complement(shape) would be one wall and so one contact, whose normal jumps where a corner is crossed. Here
-/// each face is a wall of its own: in a corner all its faces are touched at once, each with its own depth,
-/// and wall numbers are face numbers. Exact, since the points behind a face are those on the wrong
-/// side of its plane. Stiffness in N/m, the same for all faces.
+/// complement(shape) would be one wall with one contact, and its normal would jump at a corner. Here each
+/// face is a wall with its own contact and number. Stiffness in N/m, for all faces.
 template <PlaneFaced S>
 auto walls_of(const S& shape, double stiffness = 1e7) {
   const auto walls = [&](const auto&... face) { return scene(wall(complement(face), stiffness)...); };

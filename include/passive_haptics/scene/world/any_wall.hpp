@@ -1,5 +1,4 @@
-/// @file
-/// A wall whose shape is known at run time only.
+/// Walls with a type-erased shape.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -14,50 +13,46 @@
 
 namespace passive_haptics {
 
-/// Holds a wall of any Shape, ProxySurface or TrackedShape. Copies share it, so they are cheap and safe in
-/// other threads. It never changes, so extrapolate() of its shape is not called: add a wall that moves with
-/// world_walls::add_moving.
+/// An immutable wall of any Shape, ProxySurface or TrackedShape, shared by its copies. Its shape is not
+/// extrapolated; add moving walls by world_walls::add_moving.
 template <int D>
 class any_wall {
  public:
-  /// A wall within bounds that hold all of it; for shapes that do not provide theirs.
+  /// A wall with bounds that contain it, for shapes without bounds().
   template <class S>
   any_wall(wall<S> w, const bounding_box<D>& bounds)
       : held_(std::make_shared<model<S>>(std::move(w), bounds)) {}
 
-  /// A wall within the bounds that its shape provides, else anywhere.
+  /// A wall with the bounds of its shape; infinite without bounds().
   template <class S>
   any_wall(const wall<S>& w) : any_wall(w, bounds_of(w.shape)) {}
 
-  /// A box that holds all of the wall.
-  const bounding_box<D>& bounds() const { return held_->bounds(); }
+  const bounding_box<D>& bounds() const { return held_->bounds(); }  ///< Bounding box.
 
-  /// Whether both hold the same wall, not an equal one.
+  /// True if both share one wall; equal walls do not suffice.
   bool shares(const any_wall& other) const { return held_ == other.held_; }
 
-  /// Whether the wall has an inside from which a handle is pushed out: a Shape.
+  /// True if the wall has an inside that pushes a handle out: a Shape.
   bool is_solid() const { return held_->is_solid(); }
 
-  /// True if the wall needs a proxy of the handle: a mesh, or a plate or bar through which a hand would
-  /// press.
+  /// True if the wall requires a proxy: a mesh, or a plate or bar that a hand could press through.
   bool needs_proxy() const { return held_->needs_proxy(); }
 
-  /// What stops a proxy; nullptr for a TrackedShape that is no ProxySurface.
+  /// The obstacle for a proxy; nullptr for a TrackedShape that is not a ProxySurface.
   const any_proxy_surface<D>* surface() const { return held_->surface(); }
 
-  /// The contact of a handle whose proxy is at p [m], but for its normal, depth and number.
+  /// The contact of a handle with its proxy at p [m], without normal, depth and number.
   contact<D> contact_by_proxy(const point<D>& p) const { return held_->contact_by_proxy(p); }
 
-  /// Size of what is remembered of one handle [bytes]; 0 if nothing is.
+  /// Size of the state for one handle [bytes]; 0 for none.
   std::size_t tracker_size() const { return held_->tracker_size(); }
 
-  /// Makes a tracker of a handle that was not seen yet, in tracker_size() bytes aligned for any type.
+  /// Constructs a tracker of a new handle in tracker_size() bytes aligned for any type.
   void start_tracker(void* storage) const { held_->start_tracker(storage); }
 
-  /// How far [m] the handle may go from x without coming nearer than `margin` [m] to the wall; in the cycle
-  /// before, the handle was at `from`. If it is nearer: 0, and its contacts are added to `found`, which has
-  /// been empty. The contacts lack what the shape does not provide: the wall's number and, of a TrackedShape,
-  /// the position. A TrackedShape gives contacts from the touch on, whatever the margin.
+  /// Returns the distance [m] that the handle at x may move without coming nearer than `margin` [m] to the
+  /// wall; it was at `from` in the previous cycle. If it is nearer, returns 0 and adds its contacts to the
+  /// empty `found`, without wall number. A TrackedShape ignores the margin and leaves the position out.
   double look(const point<D>& from, const point<D>& x, double margin, void* tracker,
               contacts<D, D>& found) const {
     return held_->look(from, x, margin, tracker, found);
@@ -97,7 +92,7 @@ class any_wall {
     bool is_solid() const override { return Shape<S>; }
     bool needs_proxy() const override {
       constexpr double thin = 0.01;  // [m], five times the rest_depth of the recommended law
-      constexpr double wide = 0.02;  // [m]; off what is smaller a hand slips
+      constexpr double wide = 0.02;  // [m]; a hand slips off smaller walls
       if constexpr (ProxySurface<S> || !Shape<S>) return ProxySurface<S>;
       else return thickness_of(held.shape) < thin && (box.upper - box.lower).maxCoeff() > wide;
     }
@@ -126,12 +121,12 @@ class any_wall {
         found.append_unchecked(contact_of(held, x, distance));
         return 0;
       } else {
-        return 0;  // by its surface
+        return 0;  // handled by its surface
       }
     }
 
     wall<S> held;
-    bounding_box<D> box;  // after what is looked at
+    bounding_box<D> box;  // initialised after `held`
     detail::stops_of<S> stops;
   };
 

@@ -1,5 +1,4 @@
-/// @file
-/// The proxy of one handle among all surfaces near it.
+/// The proxy of a handle among all surfaces near it.
 #pragma once
 
 #include <passive_haptics/core/nth.hpp>
@@ -11,58 +10,52 @@
 
 namespace passive_haptics::detail {
 
-/// A proxy belongs to the handle, not to a surface: each cycle the surfaces near it are named anew, and all
-/// of them stop it. So a handle that slides from one surface to the next stays where it is felt to be.
+/// A proxy belongs to the handle, not to a surface: the surfaces near it are listed in each cycle, and all of
+/// them stop it. It therefore stays in place when the handle slides from one surface to the next.
 template <int D>
 class handle_proxy {
  public:
-  using surface = placed_surface<any_proxy_surface<D>>;  ///< One of those near it.
+  using surface = placed_surface<any_proxy_surface<D>>;  ///< A surface near the proxy.
 
   handle_proxy() = default;
-  /// most: surfaces at once. extent: largest coordinate of the surfaces [m].
+  /// capacity: maximum number of surfaces. extent: maximum coordinate of the surfaces [m].
   handle_proxy(std::size_t capacity, double extent)
       : room_(capacity), before_(capacity), far_(1e3 * (1 + extent)) {}
 
-  /// Whether a surface keeps it from the handle.
-  bool held() const { return tracker_.held; }
-  /// Where it is [m], if held.
-  point<D> position() const { return point<D>(tracker_.position.data()); }
-  /// Whether it rests on a surface whose number is one of those.
+  bool held() const { return tracker_.held; }  ///< True if a surface keeps the proxy from the handle.
+  point<D> position() const { return point<D>(tracker_.position.data()); }  ///< Position, if held [m].
+  /// True if it rests on a surface with a number accepted by `numbers`.
   template <class Numbers>
   bool rests_where(const Numbers& numbers) const {
     const auto& resting = tracker_.resting();
     return std::any_of(resting.begin(), resting.end(), [&](const auto& f) { return numbers(f.surface); });
   }
-  /// Whether it rests on the surface of this number.
   bool rests_on(int number) const {
     return rests_where([number](int n) { return n == number; });
   }
 
-  /// Forgets the surfaces near it.
   void forget_surfaces() { count_ = 0; }
-  /// Names a surface near it, which has come from a displacement [m].
+  /// Adds a surface near it, with its displacement in the previous cycle [m].
   void add(const surface& s, const point<D>& before) {
     if (count_ == room_.size()) return;
     room_[count_] = s;
     before_[count_++] = before;
   }
-  /// The surfaces near it.
   std::span<const surface> surfaces() const { return {room_.data(), count_}; }
 
-  /// Goes from p [m] on in this cycle, where it is held.
   void start_at(const point<D>& p) {
     tracker_.held = is_here_ = true;
     tracker_.facet_count = 0;
     keep(p);
   }
 
-  /// Towards a handle at x, as near as the surfaces let it; a free one comes from `from`.
+  /// Moves towards a handle at x, as near as the surfaces allow; a free proxy starts at `from`.
   void go(const point<D>& from, const point<D>& x) {
     keep(within_reach(tracker_.held ? position() : from));
     if (is_here_ || !any_moved()) go_on(x);
     else go_with_surfaces(x);
     if (tracker_.held) return;
-    for (const surface& s : surfaces()) {  // inside without a way to there: at first, or by a jump
+    for (const surface& s : surfaces()) {  // inside without a path: at the start or after a jump
       const point<D> at = x - s.displacement;
       int hint = 0;
       if (!s.surface->is_solid() || s.surface->clearance(at, hint) > 0) continue;
@@ -73,20 +66,18 @@ class handle_proxy {
     }
   }
 
-  /// Calls add(normal, depth, number of the surface) for each contact of a handle at x, at most D.
+  /// Calls add(normal, depth, surface number) for each contact of a handle at x, at most D.
   template <class Add>
   void contacts_at(const point<D>& x, Add&& add) const {
     if (tracker_.held) proxy_contacts<any_proxy_surface<D>>(surfaces(), tracker_, x).add_to(add);
   }
 
-  /// What is remembered of the handle, but for the surfaces.
-  const proxy_tracker<D>& tracker() const { return tracker_; }
-  /// Goes back to what was remembered.
+  const proxy_tracker<D>& tracker() const { return tracker_; }  ///< State of the handle without the surfaces.
   void set_tracker(const proxy_tracker<D>& t) {
     tracker_ = t;
     is_here_ = false;
   }
-  /// Takes over where the handle's proxy was among other surfaces; is_here(number): one of them is here, too.
+  /// Takes over the proxy from other surfaces; is_here(number) is true for a surface that exists here, too.
   template <class IsHere>
   void take_over(const handle_proxy& other, const IsHere& is_here) {
     set_tracker(other.tracker_);
@@ -102,7 +93,7 @@ class handle_proxy {
     proxy_path<any_proxy_surface<D>>(surfaces(), tracker_).go_to(within_reach(x));
   }
 
-  // Coordinates so large that their rounding is thicker than a skin are brought nearer.
+  // Limits coordinates with rounding thicker than a skin.
   point<D> within_reach(const point<D>& x) const { return x.cwiseMax(-far_).cwiseMin(far_); }
 
   bool any_moved() const {
@@ -112,8 +103,8 @@ class handle_proxy {
   }
   point<D> moved_by(std::size_t k) const { return room_[k].displacement - before_[k]; }
 
-  // Surfaces go straight on within the cycle, as the handle does. A free proxy goes with the handle until one
-  // of them meets it; from then on it keeps to the facets on which it rests, and stays in front of all others
+  // Linear motion of surfaces and handle. A free proxy follows the handle until a surface meets it, then
+  // moves with its resting facets.
   void go_with_surfaces(const point<D>& x) {
     point<D> p = position();
     double time = 0;
@@ -139,7 +130,6 @@ class handle_proxy {
     go_on(x);
   }
 
-  // The surface that the handle meets first on its way from p to x, and when
   struct meeting {
     proxy_stop met;
     std::size_t place = 0;
@@ -154,7 +144,7 @@ class handle_proxy {
     return first;
   }
 
-  // Where the facets on which it rests take it from p in the rest of the cycle, by the shortest way
+  // Displacement of p by its resting facets in the rest of the cycle, by the shortest path
   point<D> carried(const point<D>& p, double time) const {
     constexpr int sweeps = 8;
     point<D> way = point<D>::Zero();
@@ -171,8 +161,8 @@ class handle_proxy {
   }
 
   proxy_tracker<D> tracker_;
-  std::vector<surface> room_;     // for the surfaces near it: a copy allocates, the control loop does not
-  std::vector<point<D>> before_;  // their displacements in the cycle before [m]
+  std::vector<surface> room_;     // fixed size: the control loop does not allocate
+  std::vector<point<D>> before_;  // their displacements in the previous cycle [m]
   std::size_t count_ = 0;
   double far_ = 0;        // [m]
   bool is_here_ = false;  // placed in this cycle: no surface has moved since

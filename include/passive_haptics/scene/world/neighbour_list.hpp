@@ -1,9 +1,6 @@
-/// @file
-/// Exact skipping: which of many items must be looked at now, because the handle may have reached them.
+/// Exact skipping: selects the items that the handle may have reached since the last cycle.
 ///
-/// An item at distance D cannot be touched before the handle has travelled D (distances are 1-Lipschitz). The
-/// idea of a list of neighbours that holds until one has moved too far is that of L. Verlet, Phys. Rev. 159
-/// (1967), 98-103.
+/// Distances are 1-Lipschitz; the neighbour list is that of L. Verlet, Phys. Rev. 159 (1967), 98-103.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
@@ -19,39 +16,35 @@
 
 namespace passive_haptics {
 
-/// For one point that moves among the items of a tree, and others that lie in no tree (unbounded or moving
-/// ones).
+/// The items that one moving point may touch: items of a tree, and others outside it (unbounded or moving).
 ///
-/// Three bounds, each looked at only when the one before is used up:
-///   - clearance: the way that can be travelled until any item is due. Most cycles end here;
-///   - due: for each of the nearest items, the way at which it can be touched at the earliest;
-///   - reach: the distance of the nearest item that is not in the list. Once most of it is travelled the next
-///     list is collected, a few nodes of the tree a cycle: no cycle pays for all.
+/// It uses three bounds, each only when the previous one is exhausted:
+///   - clearance: distance until any item is due. Most cycles end here;
+///   - due: for each of the nearest items, the travelled distance at which it can first be touched;
+///   - reach: distance of the nearest item not in the list. When most of it is used up, the next list is
+///     collected, a few tree nodes per cycle.
 ///
-/// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It collects a list
-/// at once, some ten to a hundred nodes, when the handle leaves the reach before the next list is complete.
-/// It looks at all items whose boxes hold the handle where they are more than Listed, or where the handle has
-/// jumped so far that no list would last. No allocation after construction.
+/// A cycle costs one comparison, or at most Listed + others looks and `nodes_per_cycle` nodes. If the handle
+/// leaves the reach early, the rest of the list is collected in one cycle. After a jump, or if more than
+/// Listed boxes contain the handle, it looks at all items with such boxes. No allocation after construction.
 template <int D, int Listed = 16>
 class neighbour_list {
  public:
-  static constexpr int nodes_per_cycle = 8;  ///< Of the tree, while the next list is collected.
+  static constexpr int nodes_per_cycle = 8;  ///< Tree nodes per cycle while the next list is collected.
 
   neighbour_list() = default;
 
-  /// other_count: items that lie in no tree. scale [m]: the largest coordinate of the items, for the rounding
-  /// of their distances.
+  /// other_count: items outside the tree. scale [m]: maximum coordinate, for the rounding of distances.
   neighbour_list(std::size_t other_count, double scale) : others_(other_count, 0.0), scale_(scale) {}
 
-  /// Calls look(item) for each item that the handle can have reached on its way to x: those and no others may
-  /// be touched. The function look returns the distance [m] that the handle may go from x without touching
-  /// the item; 0 if the handle touches the item. For a finite x that is not idle.
+  /// Calls look(item) for each item that a finite, not idle x may touch. look returns the distance that the
+  /// handle may move from x without touching the item [m]; 0 for a touch.
   template <class Look>
   void visit(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
     const double step = (x - last_).norm();
     last_ = x;
-    if (!(step < usual_reach_)) return jump(tree, x, look);  // the first time, too
-    travelled_ = (travelled_ + step) * (1 + 4 * epsilon);    // rather too far than too short
+    if (!(step < usual_reach_)) return jump(tree, x, look);  // also in the first cycle
+    travelled_ = (travelled_ + step) * (1 + 4 * epsilon);    // rounded up
     if (collecting_) collect(tree, nodes_per_cycle);
     double from_centre = (x - now().centre).norm();
     if (!(from_centre < now().reach)) {
@@ -68,18 +61,18 @@ class neighbour_list {
     };
     look_at_near(next_due);
     look_at_others(next_due);
-    if (now().reach == 0) look_about(tree, x, look);  // more items about x than the list holds
+    if (now().reach == 0) look_about(tree, x, look);  // the list is too short for the items about x
     double clearance = std::min(now().size > 0 ? now().items[0].due : unbounded, first_other_) - travelled_;
-    // The next list in time; and while one is collected, every cycle takes its share
+    // Start the next list in time; while it is collected, never idle
     clearance = collecting_ ? 0 : std::min(clearance, start_early * now().reach - from_centre);
     clearance = std::max(clearance - slack, 0.0);
     squared_clearance_ = clearance * clearance;
   }
 
-  /// True if x is nearer than any item can be: nothing need be looked at. False where x is not finite.
+  /// True if no item can be reached at x. False if x is not finite.
   bool idle(const point<D>& x) const { return (x - last_).squaredNorm() < squared_clearance_; }
 
-  /// An item that lies in no tree (0, 1, ... in their order) has moved by this distance [m].
+  /// Reports that an item outside the tree (0, 1, ...) has moved by this distance [m].
   void moved(std::size_t other, double distance) {
     others_[other] -= distance;
     first_other_ = std::min(first_other_, others_[other]);
@@ -87,14 +80,14 @@ class neighbour_list {
     squared_clearance_ = left > 0 ? left * left : 0;
   }
 
-  /// Items are touched from this distance [m] >= 0 on, as look() has it.
+  /// Sets the distance at which items count as touched by look() [m] >= 0.
   void set_margin(double margin) {
     if (margin == margin_) return;
     margin_ = margin;
     reset();
   }
 
-  /// Forgets where the handle was.
+  /// Forgets the handle.
   void reset() {
     squared_clearance_ = 0;
     now().size = 0;
@@ -109,7 +102,7 @@ class neighbour_list {
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
   struct neighbour {
-    double due = 0;  // way at which it can be touched [m]; while it is collected, the distance of its box
+    double due = 0;  // distance at which it can be touched [m]; the distance of its box while collecting
     world_item item;
     bool operator<(const neighbour& other) const { return due < other.due; }
   };
@@ -118,8 +111,7 @@ class neighbour_list {
   struct list {
     point<D> centre = point<D>::Zero();
     double reach = 0;  // [m]
-    // Right of its comparisons: `size <` begins the arguments of a template of that name, where a user has
-    // one
+    // Compared as `x > size`: `size <` could begin the arguments of a user's template of that name
     int size = 0;
     std::array<neighbour, static_cast<std::size_t>(Listed)> items{};
 
@@ -127,18 +119,18 @@ class neighbour_list {
     auto end() { return items.begin() + size; }
   };
 
-  static constexpr double start_early = 0.9;  // begin the next list when this part of the reach is used up
+  static constexpr double start_early = 0.9;  // fraction of the reach after which the next list begins
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   static constexpr double relative_rounding = 64 * epsilon;
 
   list& now() { return nth(lists_, current_); }
   list& next() { return nth(lists_, 1 - current_); }
 
-  // Nothing of before is of use, and nothing is kept that the next jump would make useless.
+  // Discards all state that the jump made useless.
   template <class Look>
   void jump(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
     reset();
-    usual_reach_ *= 1.002;  // some day a list is tried again
+    usual_reach_ *= 1.002;  // tries a list again eventually
     for (std::size_t i = 0; i < others_.size(); ++i) look(world_item::outside(i));
     look_about(tree, x, look);
   }
@@ -150,12 +142,12 @@ class neighbour_list {
                       [&](int place, double) { look(world_item::in_tree(place)); });
   }
 
-  // Of a distance at x, beside its own share, and of the way [m]
+  // Rounding of a distance at x and of the travelled distance, without the relative part [m]
   double rounding(const point<D>& x) const {
     return relative_rounding * (scale_ + x.cwiseAbs().maxCoeff() + travelled_);
   }
 
-  // The list is in the order in which its items are due: those that are stand at its head.
+  // The list is sorted by due distance.
   template <class NextDue>
   void look_at_near(const NextDue& next_due) {
     auto& items = now().items;
@@ -184,14 +176,14 @@ class neighbour_list {
     collecting_ = true;
     next().centre = x;
     next().size = 0;
-    // A list half full is found fastest: nothing has to give way
+    // A half-full list is fastest to collect
     const double reach = (Listed / 2 > now().size ? 1.25 : 0.8) * now().reach;
     squared_limit_ = reach > 0 ? (reach + margin_) * (reach + margin_) : unbounded;
     started_at_ = travelled_;
     search_ = tree.start();
   }
 
-  // All boxes within reach; if they are more than can be listed, the nearest of them
+  // Collects all boxes within reach, or the nearest of them if there are too many
   PASSIVE_HAPTICS_FLATTEN void collect(const bounding_volume_tree<D>& tree, int budget) {
     list& next = this->next();
     tree.go_on(
@@ -215,7 +207,7 @@ class neighbour_list {
 
   void change_lists() {
     collecting_ = false;
-    // The way starts anew with each list, so that it stays short and exact
+    // Restart the travelled distance with each list, to keep it short and exact
     for (double& due : others_) due -= started_at_;
     first_other_ -= started_at_;
     travelled_ -= started_at_;
@@ -230,12 +222,12 @@ class neighbour_list {
 
   point<D> last_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());
   double squared_clearance_ = 0;  // of last_ [m^2]
-  double travelled_ = 0;          // way since the list was begun [m]
+  double travelled_ = 0;          // since the list was begun [m]
   std::array<list, 2> lists_;
-  int current_ = 0;                 // of lists_; the other is the next
-  double usual_reach_ = unbounded;  // of the latest list that had one [m]
-  std::vector<double> others_;      // when each is due [m]
-  double first_other_ = 0;          // the least of them
+  int current_ = 0;                 // index in lists_
+  double usual_reach_ = unbounded;  // of the latest list with a reach [m]
+  std::vector<double> others_;      // due distances [m]
+  double first_other_ = 0;          // their minimum
   double scale_ = 0;
   double margin_ = 0;         // [m]
   double squared_limit_ = 0;  // of the search for the next list [m^2]

@@ -1,5 +1,4 @@
-/// @file
-/// A scene of many walls, made at run time.
+/// Scenes of many walls, made at run time.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -15,22 +14,22 @@
 
 namespace passive_haptics {
 
-/// Many walls, of which a cycle looks at those that the handle can have reached since it last looked: without
-/// a proxy as a scan over all of them (neighbour_list.hpp). At most Capacity contacts, of the largest forces.
+/// Many walls, of which each cycle checks only those that the handle may have reached (neighbour_list.hpp).
+/// At most Capacity contacts, those with the maximum forces.
 ///
-/// The walls are shared by copies and never change; each copy has its own memory of the handle. Shapes that
-/// stay where they are and have finite bounds lie in a tree; each cycle that is not skipped compares all
-/// others (unbounded, moving, mesh_surface): keep them few. Construction O(n log n); it alone allocates.
+/// Copies share the immutable walls, and each has its own state of the handle. Walls without finite bounds,
+/// moving walls and mesh_surface are compared in each cycle that is not skipped: keep them few. Only
+/// construction, O(n log n), allocates.
 ///
-/// A world keeps a proxy of the handle (handle_proxy.hpp) if a wall needs it: a mesh, a plate or bar thinner
-/// than 1 cm, or two solids at rest, over 1 cm wide, with bounds that meet or overlap. Then thin walls hold
-/// at any depth, and walls side by side are felt as one, for up to 2000 instructions more in contact. If
-/// solids that move are side by side, make one of them a mesh_solid.
+/// A world keeps a proxy of the handle (handle_proxy.hpp) for a mesh, a plate or bar thinner than 1 cm, or
+/// two solids at rest, over 1 cm wide, with bounds that meet or overlap. Thin walls then hold at any depth,
+/// and adjacent walls feel like one, for up to 2000 more instructions in contact. If adjacent solids move,
+/// make one of them a mesh_solid.
 template <int D, int Capacity = D + 1>
 class world {
  public:
   static constexpr int dimension = D;           ///< d
-  using contacts_type = contacts<D, Capacity>;  ///< What sensing this world gives.
+  using contacts_type = contacts<D, Capacity>;  ///< Type of the contacts.
 
   /// Throws std::invalid_argument with the text of validate(walls).
   explicit world(const world_walls<D>& walls)
@@ -43,8 +42,8 @@ class world {
     start_trackers();
   }
 
-  /// The contacts at x [m], in the order of their walls; valid until the next call. A NaN or infinity in x
-  /// gives a contact with a NaN depth, which the step reports.
+  /// Returns the contacts at x [m] in the order of their walls, valid until the next call. NaN or infinity in
+  /// x gives a contact with a NaN depth, which the step reports.
   const contacts_type& touched_at(const point<D>& x) {
     found_.clear();
     if (!near_.idle(x)) {
@@ -59,19 +58,18 @@ class world {
     return found_.in_order();
   }
 
-  /// Gives contacts from this distance [m] >= 0 off each wall on, with a depth < 0 before the touch; of a
-  /// TrackedShape only from the touch on. Another margin than before costs the search of a jump.
+  /// Reports contacts from this distance to each wall [m] >= 0, with a depth < 0 before the touch; a
+  /// TrackedShape ignores it. A changed margin costs the search of a jump.
   void set_margin(double margin) {
     margin_ = margin;
     near_.set_margin(std::max(margin, reach_));
   }
 
-  /// How many contacts at the latest x found no room.
+  /// Number of contacts at the latest x that exceeded Capacity.
   int left_out() const { return found_.left_out(); }
 
-  /// Moves a wall that was added by add_moving: displacement from where it was made [m], velocity of its
-  /// surface [m/s]; base frame. Two values, and the limits for walls that come, as of `moving`. False, and
-  /// nothing moved, if there is no such wall or they are not finite.
+  /// Moves a wall of add_moving: displacement from its original place [m], velocity of its surface [m/s]; see
+  /// `moving`. Returns false without effect if there is no such wall or the values are not finite.
   bool set_motion(int number, const point<D>& displacement, const point<D>& velocity) {
     const auto& moving = geometry_->moving;
     const auto found = std::lower_bound(moving.begin(), moving.end(), number);
@@ -83,7 +81,7 @@ class world {
     return true;
   }
 
-  /// Carries each moving wall on with its velocity for this time [s] from where set_motion put it.
+  /// Extrapolates moving walls by this time [s] from the values of set_motion.
   void extrapolate(double seconds) {
     for (std::size_t k = 0; k < motions_.size(); ++k) {
       const point<D> ahead = motions_[k].displacement + seconds * motions_[k].velocity;
@@ -91,16 +89,15 @@ class world {
     }
   }
 
-  /// Forgets the handle; for another handle, or after a fault.
+  /// Forgets the handle, for another handle or after a fault.
   void reset() {
     near_.reset();
     start_trackers();
     previous_.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  /// Takes over what another world remembers of the handle at the walls that both share (copies of one
-  /// any_wall under one number), so that it does not slip through them where a scene is exchanged. At other
-  /// walls it is seen for the first time, its proxy where the shared ones hold it.
+  /// Takes over the state of the handle at the walls that both worlds share (copies of one any_wall with one
+  /// number), so that it does not slip through them at an exchange of scenes.
   void remember(const world& other) noexcept {
     const geometry &mine = *geometry_, &others = *other.geometry_;
     const auto is_here = [&](int number) { return mine.shares_wall(others, number); };
@@ -136,13 +133,11 @@ class world {
   }
   void* tracker(std::size_t other) { return trackers_.data() + geometry_->trackers[other]; }
 
-  // Of an item that moves; nullptr for others
   motion* motion_of(world_item item) {
     return !item.is_in_tree() && item.place() < motions_.size() ? &motions_[item.place()] : nullptr;
   }
 
-  // By the proxy. When it is first stopped, what it slides to may lie beside the way: once more, with all
-  // near
+  // Repeats a first stop with all surfaces near, since the proxy may slide off the path
   [[gnu::noinline]] void follow(const point<D>& x) {
     const auto before = proxy_.tracker();
     const point<D> from = all_finite(previous_) ? previous_ : x;
@@ -169,7 +164,7 @@ class world {
     });
   }
 
-  // reach: how far [m] from x something may stop the proxy
+  // reach: distance from x within which a surface may stop the proxy [m]
   void go(const point<D>& from, const point<D>& x, double reach) {
     if (reach > reach_) keep_within(2 * reach);
     found_.clear();
@@ -184,7 +179,7 @@ class world {
     near_.set_margin(std::max(margin_, reach));
   }
 
-  // At an item of near_ that may stop the proxy. A shape gives contacts before the touch itself
+  // At an item that may stop the proxy. A shape reports contacts before the touch itself
   double look_at_surface(world_item item, const point<D>& x) {
     const numbered_wall& w = geometry_->wall_of(item);
     const auto* surface = w.wall.surface();
@@ -234,14 +229,14 @@ class world {
 
   std::shared_ptr<const geometry> geometry_;
   neighbour_list<D> near_;
-  point<D> previous_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());  // x of the cycle before
+  point<D> previous_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());  // in the last cycle
   std::vector<motion> motions_;  // in the order of walls.moving()
   std::vector<typename geometry::tracker_bytes> trackers_;
   static constexpr int not_seen = -1;
-  std::vector<int> nearest_;  // of the others: a facet near the handle, where to search first
+  std::vector<int> nearest_;  // by other item: start facet of the next search
   detail::handle_proxy<D> proxy_;
   double margin_ = 0;       // [m]
-  double reach_ = 0;        // from the handle, within which what stops the proxy is looked at [m]
+  double reach_ = 0;        // distance within which surfaces may stop the proxy [m]
   contacts<D, D> touched_;  // of one wall, by sense_wall
   strongest_contacts<D, Capacity> found_;
 };

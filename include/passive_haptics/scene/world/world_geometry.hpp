@@ -1,5 +1,4 @@
-/// @file
-/// What never changes of a world: its walls, and the tree in which most of them lie.
+/// The immutable part of a world: its walls and their tree.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -17,17 +16,16 @@
 
 namespace passive_haptics::detail {
 
-/// Motion of a wall that was added by add_moving.
 template <int D>
 struct wall_motion {
   point<D> displacement = point<D>::Zero();  ///< As set [m].
   point<D> velocity = point<D>::Zero();      ///< [m/s]
   point<D> now = point<D>::Zero();           ///< Displacement in this cycle [m].
-  point<D> before = point<D>::Zero();        ///< Before it moved in this cycle [m].
-  /// Where the handle was in the cycle before it moved last [m]: whether this is that cycle.
+  point<D> before = point<D>::Zero();        ///< Displacement before it moved in this cycle [m].
+  /// Position of the handle before the last move [m], which identifies the cycle.
   point<D> handle = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());
 
-  /// Goes to where it is now; the handle was at `previous` in the cycle before, nullptr if nobody must know.
+  /// Moves to a displacement. previous: position of the handle in the previous cycle, nullptr if not needed.
   void go_to(const point<D>& place, const point<D>* previous) {
     if (previous != nullptr) {
       before = before_cycle(*previous);
@@ -35,31 +33,27 @@ struct wall_motion {
     }
     now = place;
   }
-  /// Takes over from the same wall in another world, which saw the handle at `previous` in the cycle before.
+  /// Takes over from the same wall in another world, with the handle at `previous` in the previous cycle.
   void take_over(const wall_motion& other, const point<D>& previous) {
     before = other.now;
     handle = previous;
   }
-  /// Displacement in the cycle before, in which the handle was at `previous` [m].
+  /// Displacement in the previous cycle, with the handle at `previous` [m].
   point<D> before_cycle(const point<D>& previous) const { return handle == previous ? before : now; }
 };
 
-/// The walls of a world.
 template <int D>
 struct world_geometry {
-  /// Storage in which any tracker can be made.
   struct alignas(std::max_align_t) tracker_bytes {
-    std::array<std::byte, sizeof(std::max_align_t)> bytes;  ///< Of it.
+    std::array<std::byte, sizeof(std::max_align_t)> bytes;
   };
 
-  /// A wall and its number.
   struct numbered_wall {
-    any_wall<D> wall;  ///< The wall.
-    int number;        ///< Of its contacts.
-    bool is_followed;  ///< By a tracker of its own.
+    any_wall<D> wall;
+    int number;
+    bool is_followed;  ///< Has a tracker.
   };
 
-  /// Throws std::invalid_argument with the text of validate(walls).
   explicit world_geometry(const world_walls<D>& walls) : moving(walls.moving()) {
     const auto numbered = [&](int i) -> numbered_wall {
       const any_wall<D>& wall = nth(walls.all(), i);
@@ -100,47 +94,42 @@ struct world_geometry {
     }
   }
 
-  /// Whether a wall or the proxy must know where a wall has come from.
+  /// True if the previous position of a wall is needed.
   bool remembers() const { return needs_proxy || trackers.back() > 0; }
 
-  /// The wall of an item.
   const numbered_wall& wall_of(world_item item) const {
     return (item.is_in_tree() ? in_tree : others)[item.place()];
   }
-  /// The item of the wall with this number.
   world_item item_of(int number) const { return nth(items, number); }
 
-  /// Whether the walls outside of both trees at this place are one.
+  /// True if both have the same wall at this place outside the tree.
   bool shares(const world_geometry& with, std::size_t place) const {
     if (place >= others.size() || place >= with.others.size()) return false;
     const numbered_wall &mine = others[place], &its = with.others[place];
     return mine.number == its.number && mine.wall.shares(its.wall);
   }
 
-  /// True if both worlds have the same wall under this number of the other one.
+  /// True if both worlds have the same wall for this number of the other one.
   bool shares_wall(const world_geometry& other, int number) const {
     return static_cast<std::size_t>(number) < items.size() &&
            wall_of(item_of(number)).wall.shares(other.wall_of(other.item_of(number)).wall);
   }
 
-  /// Where the tracker of another begins [tracker_bytes].
   std::ptrdiff_t tracker_at(std::size_t other) const { return static_cast<std::ptrdiff_t>(trackers[other]); }
 
-  bounding_volume_tree<D> tree;        ///< Of the boxes about most walls.
-  std::vector<numbered_wall> in_tree;  ///< By their places there.
-  std::vector<numbered_wall> others;   ///< Outside of it, the moving ones first.
-  std::vector<int> moving;             ///< Their numbers.
-  std::vector<world_item> items;       ///< By the numbers of the walls.
-  /// Where the tracker of each of the others begins, and the last ends.
-  std::vector<std::size_t> trackers{0};
-  bool needs_proxy = false;  ///< For a mesh, a thin wall, or two that meet.
-  double extent = 0;         ///< Largest coordinate of the bounded walls [m].
+  bounding_volume_tree<D> tree;          ///< Boxes of the bounded walls at rest.
+  std::vector<numbered_wall> in_tree;    ///< By place in the tree.
+  std::vector<numbered_wall> others;     ///< Outside the tree, moving ones first.
+  std::vector<int> moving;               ///< Numbers of the moving walls.
+  std::vector<world_item> items;         ///< By wall number.
+  std::vector<std::size_t> trackers{0};  ///< Start of each other item's tracker, and the end of the last.
+  bool needs_proxy = false;              ///< For a mesh, a thin wall, or two that meet.
+  double extent = 0;                     ///< Maximum coordinate of the bounded walls [m].
 
  private:
-  // True if one of the boxes meets or overlaps b: inside two solids side by side, the sides at the seam are
-  // nearest, which do not push out
+  // True if a box meets or overlaps b. At the seam of adjacent solids, the nearest sides do not push out
   bool has_beside(const bounding_box<D>& b, const std::vector<bounding_box<D>>& boxes) const {
-    constexpr double wide = 0.01;              // [m], of a seam; a hand slips off what is smaller
+    constexpr double wide = 0.01;              // [m], of a seam; a hand slips off smaller ones
     const double touch = 1e-9 * tree.scale();  // [m]
     const double radius = (b.upper - b.lower).norm() / 2 + touch;
     int count = 0;
@@ -150,7 +139,7 @@ struct world_geometry {
       if ((common.array() >= -touch).all() && (common.array() > wide).count() >= D - 1) ++count;
     };
     tree.visit_within(squared_distance_from<D>((b.lower + b.upper) / 2), radius * radius, look);
-    return count > 1;  // b is one
+    return count > 1;  // b is one of them
   }
 };
 

@@ -1,25 +1,22 @@
-/// @file
-/// What a search of a world finds: items of a tree, and others that are in no tree.
+/// Items of a world: in its tree or outside it.
 #pragma once
 
 #include <cstddef>
 
 namespace passive_haptics {
 
-/// An item of a neighbour_list, by its place in the tree or in the list of the others.
+/// An item of a neighbour_list, by its place in the tree or among the others.
 class world_item {
  public:
-  /// The first of the tree.
-  constexpr world_item() = default;
+  constexpr world_item() = default;  ///< The first item of the tree.
 
-  /// The item at this place in the tree.
+  /// Item at a place in the tree.
   static constexpr world_item in_tree(int place) { return world_item(place); }
-  /// The item at this place among the others.
+  /// Item at a place among the others.
   static constexpr world_item outside(std::size_t place) { return world_item(-1 - static_cast<int>(place)); }
 
-  /// True for an item of the tree.
-  constexpr bool is_in_tree() const { return code_ >= 0; }
-  /// Place in the list that has it.
+  constexpr bool is_in_tree() const { return code_ >= 0; }  ///< True for an item of the tree.
+  /// Place in its list.
   constexpr std::size_t place() const { return static_cast<std::size_t>(is_in_tree() ? code_ : -1 - code_); }
 
  private:

@@ -1,5 +1,4 @@
-/// @file
-/// The walls that a world is made of.
+/// Construction of a world.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -11,33 +10,31 @@
 
 namespace passive_haptics {
 
-/// The walls of a world to be, numbered from 0 in the order in which they are added.
+/// Walls of a new world, numbered from 0 in the order of addition.
 template <int D>
 class world_walls {
  public:
-  /// Adds a wall that stays where it is and returns its number.
+  /// Adds a wall at rest; returns its number.
   int add(any_wall<D> w) {
     walls_.push_back(std::move(w));
     return static_cast<int>(walls_.size()) - 1;
   }
 
-  /// Adds a wall that world::set_motion can move, and returns its number.
+  /// Adds a wall for world::set_motion; returns its number.
   int add_moving(any_wall<D> w) {
     moving_.push_back(add(std::move(w)));
     return moving_.back();
   }
 
-  /// All walls, by their numbers.
-  const std::vector<any_wall<D>>& all() const { return walls_; }
-  /// The numbers of those that may move.
-  const std::vector<int>& moving() const { return moving_; }
+  const std::vector<any_wall<D>>& all() const { return walls_; }  ///< All walls by number.
+  const std::vector<int>& moving() const { return moving_; }      ///< Numbers of the walls that may move.
 
  private:
   std::vector<any_wall<D>> walls_;
   std::vector<int> moving_;
 };
 
-/// What is wrong with the walls; empty if nothing.
+/// Returns an error text, empty if there is none.
 template <int D>
 std::string validate(const world_walls<D>& walls) {
   for (std::size_t i = 0; i < walls.all().size(); ++i) {

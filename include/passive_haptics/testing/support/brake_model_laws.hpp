@@ -1,5 +1,4 @@
-/// @file
-/// The laws of a BrakeModel as functions: each returns what is broken, or nothing.
+/// The laws of a BrakeModel as functions that return an error text, empty if the law holds.
 #pragma once
 
 #include <passive_haptics/brake/models/brake_model.hpp>
@@ -18,13 +17,13 @@ namespace passive_haptics::testing {
 
 namespace detail {
 
-// What a brake resists with at a rate [N m].
+// Resistance of a brake at a rate [N m].
 template <class T>
 T total(const brake_resistance<T>& r, T rate) {
   return r.strength + r.drag * std::abs(rate);
 }
 
-// The largest limit at any rate of a haptic device [N m].
+// Maximum limit over the rates of a haptic device [N m].
 template <BrakeModel B>
 typename B::scalar max_limit(const B& brake) {
   using T = typename B::scalar;
@@ -33,12 +32,11 @@ typename B::scalar max_limit(const B& brake) {
   return peak;
 }
 
-// Uniform among 0, ..., count - 1.
+// Uniform in 0, ..., count - 1.
 inline int one_of(random_source& random, int count) {
   return static_cast<int>(random.uniform(0.0, static_cast<double>(count)));
 }
 
-// Commands as a controller gives them, now and then one that it should not.
 template <class T>
 T some_command(random_source& random, T limit) {
   using real = std::numeric_limits<T>;
@@ -57,8 +55,8 @@ std::string broken(const char* law, Values... values) {
 
 }  // namespace detail
 
-/// Passive and bounded: a rotor on the brake's axis is driven at random over `steps` steps of 1 us to 10 ms.
-/// Its kinetic energy grows by no more than the work done on it, at the new rate as its steps are implicit.
+/// Passive and bounded: a rotor on the brake's axis is driven randomly over `steps` steps of 1 us to 10 ms.
+/// Its kinetic energy grows by at most the work done on it, at the new rate since the steps are implicit.
 template <BrakeModel B>
 std::string broken_energy_law(const B& brake, std::uint64_t seed, int steps) {
   using T = typename B::scalar;
@@ -94,9 +92,8 @@ std::string broken_energy_law(const B& brake, std::uint64_t seed, int steps) {
   return {};
 }
 
-/// What no program should give counts as something else, whatever came before: a command that is negative or
-/// NaN as 0, an infinite one as the greatest; a time step that is negative, NaN or infinite as 0; a rate that
-/// is NaN as 0, an infinite one as the greatest of its sign.
+/// Invalid input is replaced in any state: commands < 0 or NaN, time steps < 0 or not finite and NaN rates by
+/// 0; infinite commands and rates by the maximum.
 template <BrakeModel B>
 std::string broken_input_law(const B& brake, std::uint64_t seed) {
   using T = typename B::scalar;
@@ -143,8 +140,7 @@ std::string broken_input_law(const B& brake, std::uint64_t seed) {
   return {};
 }
 
-/// Half the time step, half the error or none: against an eighth of it, under commands that change in steps
-/// and a rate that swings.
+/// Halving the time step halves the error, for stepwise commands and an oscillating rate.
 template <BrakeModel B>
 std::string broken_time_step_law(const B& brake, std::uint64_t seed) {
   using T = typename B::scalar;
@@ -175,15 +171,14 @@ std::string broken_time_step_law(const B& brake, std::uint64_t seed) {
     return peak;
   };
   const T whole = error(1), half = error(2);
-  // A lag of 1 / share steps rounds so often on its way
+  // Accumulated rounding of a lag of 1 / share steps
   const T rounding = T(8 * steps) * std::numeric_limits<T>::epsilon() * limit;
   if (!(half <= T(0.55) * whole + rounding))
     return detail::broken("not of first order: errors at dt, dt / 2", whole, half);
   return {};
 }
 
-/// No command that is held ends nearer to the wanted torque than that of command_for, by more than error
-/// times the largest limit.
+/// No constant command ends nearer than command_for by more than error times the maximum limit.
 template <InvertibleBrakeModel B>
 std::string broken_inverse_law(const B& brake, std::uint64_t seed, double error) {
   using T = typename B::scalar;

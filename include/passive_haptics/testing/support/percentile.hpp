@@ -1,4 +1,3 @@
-/// @file
 /// Percentiles of measured samples.
 #pragma once
 
@@ -9,13 +8,11 @@
 
 namespace passive_haptics::testing {
 
-/// The least sample that is no smaller than `share` of all of them (nearest rank): 0.5 is the median, 1 the
-/// largest, 0.999 needs a thousand samples to differ from it. Samples ascending, at least one; share in (0,
-/// 1].
+/// Nearest-rank percentile of ascending samples, at least one; share in (0, 1], 0.5 for the median.
 template <class T>
 T percentile(const std::vector<T>& ascending, double share) {
   assert(!ascending.empty() && std::is_sorted(ascending.begin(), ascending.end()));
-  // Rounded down by a little: 0.999 * 1000 is 999
+  // Rounded down slightly, since 0.999 * 1000 is 999
   const double rank = std::ceil(share * static_cast<double>(ascending.size()) * (1 - 1e-12));
   return ascending[std::clamp(static_cast<std::size_t>(rank), std::size_t{1}, ascending.size()) - 1];
 }

@@ -1,5 +1,4 @@
-/// @file
-/// GoogleTest prints the library's enumerations in words.
+/// Text of the library's enumerations in GoogleTest failures.
 #pragma once
 
 #include <passive_haptics/core/status.hpp>
@@ -9,11 +8,11 @@
 
 namespace passive_haptics {
 
-/// Prints a status in a test's failure.
+/// As text.
 inline void PrintTo(status s, std::ostream* out) { *out << to_string(s); }
-/// Prints a power class in a test's failure.
+/// As text.
 inline void PrintTo(power_class c, std::ostream* out) { *out << to_string(c); }
-/// Prints a display class in a test's failure.
+/// As text.
 inline void PrintTo(display_class c, std::ostream* out) { *out << to_string(c); }
 
 }  // namespace passive_haptics

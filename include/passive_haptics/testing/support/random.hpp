@@ -1,4 +1,3 @@
-/// @file
 /// Seeded random data for property suites.
 #pragma once
 
@@ -11,12 +10,10 @@
 
 namespace passive_haptics::testing {
 
-/// A source of random numbers that gives the same ones on every platform for the same seed (the
-/// distributions of the standard library do not). Not for control loops.
+/// Random numbers, equal on every platform for a seed. Not for control loops.
 class random_source {
  public:
-  /// Starts the sequence that belongs to `seed`.
-  explicit random_source(std::uint64_t seed) : bits_(seed) {}
+  explicit random_source(std::uint64_t seed) : bits_(seed) {}  ///< Starts the sequence of `seed`.
 
   /// Uniform in [low, high).
   template <class T>
@@ -25,30 +22,29 @@ class random_source {
     return static_cast<T>(static_cast<double>(low) + unit * static_cast<double>(high - low));
   }
 
-  /// Of either sign, the logarithm of its magnitude uniform between those of low and high (both > 0).
+  /// Either sign, log-uniform magnitude between low and high (both > 0).
   template <class T>
   T wide(T low, T high) {
     const T magnitude = positive(low, high);
     return coin() ? magnitude : -magnitude;
   }
 
-  /// Positive, its logarithm uniform between those of low and high (both > 0).
+  /// Log-uniform between low and high (both > 0).
   template <class T>
   T positive(T low, T high) {
     return static_cast<T>(
         std::exp(uniform(std::log(static_cast<double>(low)), std::log(static_cast<double>(high)))));
   }
 
-  /// Normal, mean 0 and standard deviation 1.
+  /// Normal with mean 0 and standard deviation 1.
   template <class T>
   T normal() {
     return static_cast<T>(normal_number(bits_));
   }
 
-  /// True every other time.
-  bool coin() { return (bits_() & 1u) != 0; }
+  bool coin() { return (bits_() & 1u) != 0; }  ///< True with probability 1/2.
 
-  /// Entries uniform between those of low and high.
+  /// Uniform entries between those of low and high.
   template <class T, int N>
   vector<T, N> between(const vector<T, N>& low, const vector<T, N>& high) {
     return vector<T, N>::NullaryExpr([&](Eigen::Index i) { return uniform(low[i], high[i]); });
@@ -60,13 +56,13 @@ class random_source {
     return vector<T, N>::NullaryExpr([&] { return normal<T>(); });
   }
 
-  /// Unit vector, every direction alike.
+  /// Uniformly distributed unit vector.
   template <class T, int N>
   vector<T, N> direction() {
     return as<T>(vector<double, N>(normal_vector<double, N>().normalized()));
   }
 
-  /// Unit vectors at right angles, one a column, every choice of them alike.
+  /// Uniformly distributed orthonormal columns.
   template <int N, int Count = N>
   matrix<double, N, Count> orthogonal_directions() {
     matrix<double, N, Count> all;

@@ -1,4 +1,3 @@
-/// @file
 /// Random control cycles in contact, for the property suites.
 #pragma once
 
@@ -13,18 +12,17 @@
 
 namespace passive_haptics::testing {
 
-/// All that a step is given, with one contact.
+/// Input of a step with one contact.
 template <class M>
 struct step_sample {
   device_state<M> state;                     ///< Pose, rates and hand force.
   brakes_of<M> brakes;                       ///< Limits and dead bands.
   contacts<M::task_dimension, 1> touched{};  ///< The wall.
 
-  /// The contact.
-  const contact<M::task_dimension>& wall() const { return touched[0]; }
+  const contact<M::task_dimension>& wall() const { return touched[0]; }  ///< The contact.
 };
 
-/// E as a dense matrix, whatever the mechanism makes of it.
+/// Dense E.
 template <class M>
 brake_matrix<M> dense_brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
   return brake_matrix<M>(passive_haptics::brake_jacobian(mechanism, q));
@@ -37,7 +35,7 @@ void for_each_sign_pattern(Visit&& visit) {
   signs.fill(-1);
   for (bool more = true; more;) {
     visit(signs);
-    // Counts up: what is at its largest starts again, the next one grows
+    // Counts up with carry
     const auto next = std::find_if(signs.begin(), signs.end(), [](int s) { return s < 1; });
     std::fill(signs.begin(), next, -1);
     more = next != signs.end();
@@ -45,9 +43,8 @@ void for_each_sign_pattern(Visit&& visit) {
   }
 }
 
-/// A random cycle of a mechanism whose brakes move with the given signs (0: slower than the dead band). Case
-/// is that of mechanism_properties.hpp. The contact: any normal, depths from a micrometre to a centimetre,
-/// stiffness from 1 to 1e9 N/m, a wall that moves every other time. The hand: none one time in four.
+/// A random cycle of a mechanism with brakes that rotate with the given signs (0: slower than the dead band).
+/// Contact: any normal, 1 um to 1 cm deep, 1 to 1e9 N/m, a wall that moves in half of the cases.
 template <class Case>
 step_sample<typename Case::mechanism> random_sample(
     const typename Case::mechanism& mechanism,
@@ -82,7 +79,7 @@ step_sample<typename Case::mechanism> random_sample(
   return sample;
 }
 
-/// Calls visit(sample) for `each` random cycles of every sign pattern.
+/// Calls visit(sample) for `each` random cycles per sign pattern.
 template <class Case, class Visit>
 void for_each_sample(const typename Case::mechanism& mechanism, unsigned seed, int each, Visit&& visit) {
   random_source random(seed);
@@ -91,8 +88,7 @@ void for_each_sample(const typename Case::mechanism& mechanism, unsigned seed, i
   });
 }
 
-/// Calls visit(name, number) with a reference to each number that a step reads. `wall` replaces the sample's
-/// contact.
+/// Calls visit(name, number) for each number of a step's input. `wall` replaces the sample's contact.
 template <class M, class Visit>
 void for_each_input(step_sample<M>& sample, contact<M::task_dimension>& wall, Visit&& visit) {
   const auto each = [&](const std::string& name, auto& values) {
