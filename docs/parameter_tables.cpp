@@ -1,4 +1,4 @@
-// parameter_tables INCLUDE: prints the table of every struct of parameters, as docs/guide/parameters.md shows
+// parameter_tables INCLUDE: prints the table of every struct of parameters, as docs/guide/device.md shows
 // them on the site, and names those structs with a table in the folder INCLUDE that main() does not show.
 #include <passive_haptics/bench/bench_run.hpp>
 #include <passive_haptics/core/parameter_text.hpp>

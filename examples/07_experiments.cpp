@@ -91,25 +91,19 @@ void follow_walls(report& table, page_tables& page) {
       if (cells[k].wall == &wall && cells[k].rate == rate && cells[k].which == which) return runs[k].figures;
     throw std::logic_error("no such run");
   };
-  const auto line = [&](const std::string& name, const named_wall& wall, law which) {
-    const auto fast = figures(wall, 1000, which), slow = figures(wall, 20, which);
-    return markdown_row({name, written("%d / %d", fast.separations, slow.separations),
+  const auto line = [&](law which) {
+    const auto fast = figures(planar, 1000, which), slow = figures(planar, 20, which);
+    return markdown_row({text(name_of(which)), written("%d / %d", fast.separations, slow.separations),
                          written("%.1f / %.1f", 1e3 * fast.max_depth, 1e3 * slow.max_depth),
                          written("%.2f / %.2f", 1e3 * fast.depth_std, 1e3 * slow.depth_std),
                          written("%.1f / %.1f", 1e3 * fast.depth_range, 1e3 * slow.depth_range),
                          written("%.0f / %.0f %%", 100 * fast.stick_share, 100 * slow.stick_share),
                          written("%.2f / %.2f", fast.retarding_force, slow.retarding_force)});
   };
-  const auto head = [](const char* first) {
-    return markdown_head({first, "separations, 1 kHz / 20 Hz", "deepest [mm]", "standard deviation [mm]",
-                          "range [mm]", "brake 2 sticks", "retarding force [N]"});
-  };
-  page["strong_brakes"] = head("planar wall");
-  for (const law which : all_laws) page["strong_brakes"] += line(text(name_of(which)), planar, which);
-  page["circles"] = head("wall, law");
-  for (const named_wall* wall : {&concave, &convex})
-    for (const law which : {law::none, law::direct, law::saturated, law::velocity})
-      page["circles"] += line(wall->name + ", " + text(name_of(which)), *wall, which);
+  page["strong_brakes"] =
+      markdown_head({"planar wall", "separations, 1 kHz / 20 Hz", "deepest [mm]", "standard deviation [mm]",
+                     "range [mm]", "brake 2 sticks", "retarding force [N]"});
+  for (const law which : all_laws) page["strong_brakes"] += line(which);
 }
 
 // Figs. 8 to 10 with brakes that are just strong enough and hands that yield, under both readings of alpha.
@@ -276,7 +270,7 @@ batch_row random_plants(const named_wall& wall, double rate, law which,
 }
 
 // Random plants and hands; the lines of the table.
-std::vector<batch_row> random_plants(page_tables& page, const std::filesystem::path& directory) {
+std::vector<batch_row> random_plants(const std::filesystem::path& directory) {
   std::printf(
       "\n%zu random plants and hands, seed %llu; of the last lines the lag is 7 to 20 ms, but believed\n",
       plant_count, static_cast<unsigned long long>(seed));
@@ -292,31 +286,19 @@ std::vector<batch_row> random_plants(page_tables& page, const std::filesystem::p
     for (const named_wall* wall : {&planar, &concave})
       rows.push_back(random_plants(*wall, 1000, law::velocity, believed));
 
-  using m = ph::contact_metrics;
-  page["random_plants"] = markdown_head(
-      {"wall", "law", "plants with separations", "median deviation [mm]", "largest [mm]", "deepest [mm]"});
-  for (const batch_row& row : rows) {
-    const auto spread = values_of(row.figures, &m::depth_std), depth = values_of(row.figures, &m::max_depth);
-    page["random_plants"] +=
-        markdown_row({row.setting, row.law, written("%ld of %zu", separated(row.figures), row.figures.size()),
-                      written("%.3f", 1e3 * median(spread)),
-                      written("%.2f", 1e3 * *std::max_element(spread.begin(), spread.end())),
-                      written("%.1f", 1e3 * *std::max_element(depth.begin(), depth.end()))});
-  }
   return rows;
 }
 
 // Devices that no law was tuned for; those of which the data sheet is true.
 std::vector<wide_row> wide_devices(page_tables& page) {
-  page["wide_ranges"] = range_table();
   const std::vector<wide_row> known = follow_with_wide_devices(seed, belief::data_sheet);
   page["wide_devices"] = wide_table(known);
-  page["wide_beliefs"] = wide_table(follow_with_wide_devices(seed, belief::wrong, 0.4));
+  const std::string beliefs = wide_table(follow_with_wide_devices(seed, belief::wrong, 0.4));
   std::printf(
       "\nWide devices under velocity_direct_control, seed %llu, limits and rise times as in the data "
       "sheet\n\n%s"
       "\nWide devices with believed lag x 0.3 to 3 and believed inertia x 0.5 to 2\n\n%s",
-      static_cast<unsigned long long>(seed), page["wide_devices"].c_str(), page["wide_beliefs"].c_str());
+      static_cast<unsigned long long>(seed), page["wide_devices"].c_str(), beliefs.c_str());
   std::fflush(stdout);
   return known;
 }
@@ -336,10 +318,9 @@ bool rest_depths(page_tables& page) {
 }
 
 // Brakes that twist before they slip, or drag without current.
-void brakes_of_another_kind(page_tables& page) {
-  page["soft_brakes"] = soft_brakes(seed + 1);
+void brakes_of_another_kind() {
   std::printf("\nPresliding and residual torque under velocity_direct_control, seed %llu\n\n%s",
-              static_cast<unsigned long long>(seed + 1), page["soft_brakes"].c_str());
+              static_cast<unsigned long long>(seed + 1), soft_brakes(seed + 1).c_str());
   std::fflush(stdout);
 }
 
@@ -574,7 +555,7 @@ int main(int argc, char** argv) try {
   example::command_line line(
       "experiments",
       "The paper's experiments and more, minutes of them: a table, experiments.csv and pictures.");
-  line.choice("section", section, {"corners", "scenes"},
+  line.choice("section", section, {"corners", "scenes", "wide"},
               "only this section, some minutes; no other run has it");
   line.flag("--arms", all_arms, "no more than the whole table of arms, some minutes; else a sample of it");
   numbered_options numbered;
@@ -598,11 +579,11 @@ int main(int argc, char** argv) try {
   const bool in_space_hold = in_space(table, page, directory);
   penetration(directory);
   draw_pull_back(directory);
-  const auto plants = random_plants(page, directory);
+  const auto plants = random_plants(directory);
   const auto wide = wide_devices(page);
   const bool rest = rest_depths(page);
   laws_and_brakes(page);
-  brakes_of_another_kind(page);
+  brakes_of_another_kind();
   const bool no_power = follow_with_arms(page);
   const bool hold = bands(reading, plants, wide, in_space_hold) && rest && no_power;
   const bool agrees = is_printed(page);

@@ -5,7 +5,7 @@
 namespace ph = passive_haptics;
 using device = ph::tendon_two_link<double>;
 
-// A driver that limits the current itself, and a law that wants to know the lag.
+// A driver that limits the current itself, and a law that uses the lag.
 struct lagging_brakes {
   static constexpr bool unlimited = true;                // there is no torque_limit, and none is missing
   ph::vector<double, 2> rate_dead_band = {0.02, 0.02};   // [rad/s]
@@ -21,9 +21,9 @@ int main() {
 
   const auto E = ph::brake_jacobian(arm, q);                         // v = E w, t = E^T F
   const ph::brake_vector<device> w(-0.3, 0.001);                     // brake 2 is slower than its dead band
-  const auto th = ph::brake_torque(E, ph::vector<double, 2>(0, 2));  // what the hand does to the brakes
+  const auto th = ph::brake_torque(E, ph::vector<double, 2>(0, 2));  // torques of the hand on the brakes
   const auto s = ph::brake_signs(w, th, brakes);                     // -1, and the sign of th[1]
-  const auto t = ph::passive_torque({0.5, 0.5}, w, th, brakes);      // what they make of 0.5 N m each
+  const auto t = ph::passive_torque({0.5, 0.5}, w, th, brakes);      // their torques for 0.5 N m each
   std::cout << "s = " << s.transpose() << "\nt = " << t.transpose() << " N m\n";
 
   const auto wall = ph::scene(ph::wall(ph::half_space<2>({0, 0.2249}, {0, -1}), 1e4));

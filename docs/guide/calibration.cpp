@@ -21,7 +21,7 @@ int main() {
   const ph::planar_sensor_frame<2> last_link{.link = {1, 1}, .mounting = 0.5};
   ph::device_calibration calibration(arm, measured, last_link);
 
-  // What the ports read while a jig holds the handle in the reference pose, hand off
+  // Readings of the ports while a jig holds the handle in the reference pose, hand off
   const auto counts = [](double) { return std::array<double, 2>{1200, -340}; };
   const auto readings = [](double) { return std::array<double, 6>{2e5, -1e5, 4e6, 0, 0, 0}; };
 

@@ -6,7 +6,7 @@
 namespace ph = passive_haptics;
 using device = ph::tendon_two_link<double>;
 
-// A law of one's own: direct control that also eases the brakes while the handle moves in slowly.
+// A law of your own: direct control that also eases the brakes while the handle moves in slowly.
 struct soft_landing {
   static constexpr bool needs_hand_force = true, nulls_normal_force = true;
   template <class T, int D>
@@ -31,7 +31,7 @@ int main() {
   const auto result = control(state);
   for (int j = 0; j < result.contact_count; ++j) {
     const auto& report = result.contacts[static_cast<std::size_t>(j)];
-    std::cout << "wall " << report.wall_number << ": wanted " << report.wanted << " N, displayed "
+    std::cout << "wall " << report.wall_number << ": required " << report.wanted << " N, displayed "
               << report.displayed << " N\n";
   }
 

@@ -8,7 +8,7 @@ namespace ph = passive_haptics;
 using device = ph::xy_table<double>;
 using vector = ph::vector<double, 2>;
 
-// How far the handle of a simulated table gets [m] in half a second, pushed with this force [N].
+// Distance [m] that the handle of a simulated table moves in half a second under this push [N].
 template <class Scene>
 vector way(const char* name, const Scene& scene, const vector& push) {
   const device table;
@@ -40,16 +40,16 @@ int main() {
   const auto guided = way("guide", ph::with_effects(nothing, rail), {1, 3});
   const auto stopped = way("end stops", ph::with_effects(nothing, stops), {2, 0});
 
-  // Beside a wall
+  // Next to a wall
   const auto floor = ph::scene(ph::wall(ph::half_space<2>({0, 1e-3}, {0, 1}), 1e4));
   const auto stuck = way("wall friction", ph::with_effects(floor, rough), {3, -8});
   const auto both = way("honey on a rough wall", ph::with_effects(floor, rough, honey), {6, -8});
 
-  // What they want is in the result
+  // The desired forces are in the result
   ph::controller control(device(), ph::brakes_of<device>(), ph::with_effects(floor, honey),
                          ph::direct_control());
   const auto result = control(ph::device_state<device>{0, {0, 1}, {0.04, 0}, {0, 0}});
-  std::cout << "wall " << result.wall_number << ", wanted " << result.effect_force.transpose() << " N, made "
+  std::cout << "wall " << result.wall_number << ", desired " << result.effect_force.transpose() << " N, made "
             << result.torque.transpose() << " N\n";
 
   const bool holds = std::abs(held.x()) < 0.01 && guided.y() < 0.01 && guided.x() > 0.1 && stuck.x() < 3e-3;

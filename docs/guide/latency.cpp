@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   const ph::half_space<2> top({0, 0.225}, {0, -1});
   const ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(top)), ph::direct_control());
 
-  std::vector<ph::device_state<device>> states;  // what the loop will meet: here a glide along the wall
+  std::vector<ph::device_state<device>> states;  // those of your loop: here a glide along the wall
   for (int k = 0; k < 64; ++k) {
     auto& state = states.emplace_back();
     state.time = 1e-3 * k;

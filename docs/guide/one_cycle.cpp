@@ -14,7 +14,7 @@ int main() {
   const ph::half_space<2> plane({0, 0.225}, {0, -1});  // a point of the surface, the way out of the wall
   ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(plane)), ph::direct_control());
 
-  ph::device_state<device> state;                            // what the sensors report:
+  ph::device_state<device> state;                            // from the sensors:
   state.time = 0;                                            // of any clock [s]
   state.q = arm.inverse({0.12, 0.2251}, ph::elbow::left).q;  // 0.1 mm inside the wall [rad]
   state.hand_force = {0.8, 1.5};                             // pushing along the wall and into it [N]

@@ -1,5 +1,7 @@
 #include <passive_haptics/passive_haptics.hpp>
 
+#include <iostream>
+
 namespace ph = passive_haptics;
 
 class scara {
@@ -16,7 +18,4 @@ class scara {
 
 static_assert(ph::is_differentiable_mechanism<scara, ph::explain>());
 
-int main() {
-  const auto J = ph::jacobian(scara(), {0.3, 1.2});
-  return J.allFinite() ? 0 : 1;
-}
+int main() { std::cout << ph::jacobian(scara(), {0.3, 1.2}) << "\n"; }

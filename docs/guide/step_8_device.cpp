@@ -1,13 +1,13 @@
+#include "scara.hpp"
+
 #include <passive_haptics/driver/calibration/device_calibration.hpp>
 #include <passive_haptics/driver/control_loop.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
-#include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
-
-namespace ph = passive_haptics;
-using scara = ph::two_link<double>;
 
 const ph::planar_sensor_frame<2> on_the_last_link{.link = {1, 1}};
 ph::device_calibration_parameters<scara> measured() {
@@ -16,10 +16,9 @@ ph::device_calibration_parameters<scara> measured() {
   return p;
 }
 
-// In place of your hardware: a simulated arm, whose handle a hand presses into the wall and along it.
+// Instead of your hardware: a simulated arm. A hand presses its handle into the wall and along it.
 struct bench {
-  ph::simulated_device<scara> device{
-      scara({.length_1 = 0.2, .length_2 = 0.1}), ph::brakes_of<scara>(), 0.5, {0.9, 0.3}};
+  ph::simulated_device<scara> device{scara(), ph::brakes_of<scara>(), 0.5, {0.58, 0.5}};
   ph::device_calibration<scara, 2, ph::planar_sensor_frame<2>> units{device.mechanism(), measured(),
                                                                      on_the_last_link};
   ph::vector<double, 2> torque = {0, 0};
@@ -35,8 +34,8 @@ struct board {
   std::string open() { return {}; }
   ph::port_status read(ph::port_sample<2>& sample) noexcept {
     for (const double now = ph::monotonic_seconds(); at->time < now; at->time += 1e-4)
-      at->device.advance(1e-4, at->torque, {0.8, 2});
-    const auto counts = at->units.encoders.counts(at->device.q());
+      at->device.advance(1e-4, at->torque, {0.3, 1});
+    const auto counts = at->units.encoders.counts(at->units.axis_positions(at->device.q()));
     sample = {
         ph::monotonic_seconds(), ++sequence, {std::floor(counts[0]), std::floor(counts[1])}, {true, true}};
     return ph::port_status::ok;
@@ -64,7 +63,7 @@ struct force_sensor {
 
 int main() {
   bench hardware;
-  const scara arm = hardware.device.mechanism();
+  const scara arm;
   const double wall = hardware.device.position()[1] + 0.002;  // 2 mm before the handle
 
   ph::device_calibration calibration(arm, measured(), on_the_last_link);
@@ -94,6 +93,6 @@ int main() {
       [] { return false; }, [&](ph::fault why) { port.release({why}); });
 
   std::cout << report.cycles << " cycles; " << 1e3 * max_depth << " mm deep at most\n";
-  const bool held = max_depth > 0 && max_depth < 0.05;  // free, the hand would be 0.25 m deep
+  const bool held = max_depth > 0 && max_depth < 0.02;  // without brakes the hand would be 36 mm deep
   return held && hardware.torque.isZero(0) ? 0 : 1;
 }

@@ -1,4 +1,4 @@
-"""The pieces of code of the page sweeps.md: how often the paper's device displays a wall exactly."""
+"""The pieces of code of the page batch.md: how often the paper's device displays a wall exactly."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from passive_haptics.sweep import sweep, sweep_error
 
 # An experiment
 def experiment(seed: int) -> float:
-    """The share of random states at a wall whose force the brakes display exactly."""
+    """The share of random states at a wall with an exactly displayed force."""
     random = np.random.default_rng(seed)
     arm = ph.tendon_two_link(reduction_2=0.4)
     wall = ph.wall(ph.half_space([0, 0.225], [0, -1]), stiffness=1e4)

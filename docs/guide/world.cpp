@@ -17,8 +17,8 @@ int main() {
   const int lid = walls.add_moving(ph::wall(ph::half_space<3>({0, 0, -0.4}, {0, 0, 1}), 1e5));
   const ph::world<3> world(walls);
 
-  ph::controller alone(device(), ph::brakes_of<device>(), world, ph::direct_control());
-  std::cout << "capacities " << alone(measured(0)).capacity.transpose() << " N m\n";
+  ph::controller single(device(), ph::brakes_of<device>(), world, ph::direct_control());
+  std::cout << "capacities " << single(measured(0)).capacity.transpose() << " N m\n";
 
   // A slow thread that owns the scene, and a loop that never waits for it
   ph::scene_exchange<ph::world<3>> exchange(world, 0);

@@ -17,15 +17,15 @@ struct air_brake {
   };
 
   ph::brake_resistance<double> advance(double dt, double command, double, state& now) const noexcept {
-    const double wanted = ph::valid_command(command, torque_limit);
+    const double desired = ph::valid_command(command, torque_limit);
     const double step = filling * ph::valid_time_step(dt);
-    now.torque = std::clamp(wanted, now.torque - step, now.torque + step);
+    now.torque = std::clamp(desired, now.torque - step, now.torque + step);
     return {.strength = now.torque};
   }
   double torque_limit_at(double) const noexcept { return torque_limit; }
 };
 
-// What it owes who simulates it
+// Its simulation
 struct air_brake_case {
   using model = air_brake;
   static air_brake make() { return {}; }
@@ -44,7 +44,7 @@ TEST(air_brakes, hold_a_hand_at_a_wall) {
   const ph::following_hand<double, 2> hand({1, 0}, arm.position(q));
   ph::simulated_device simulated(arm, ph::brake_models_of<device, air_brake>{}, hand.parameters().mass, q);
 
-  ph::brakes_of<device> brakes;  // what the controller knows of them
+  ph::brakes_of<device> brakes;  // the data sheet for the controller
   brakes.torque_limit.setConstant(air_brake().torque_limit);
   brakes.time_constant.setConstant(0.01);
   ph::controller control(arm, brakes, ph::scene(ph::wall(wall)), ph::velocity_direct_control());

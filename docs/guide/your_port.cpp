@@ -10,7 +10,7 @@
 #include <iostream>
 #include <thread>
 
-// In place of the board: sends a sample for all currents, until stop(). `last` is what its brakes have.
+// Instead of the board: sends a sample for all currents, until stop(). `last` are the currents of its brakes.
 struct stand_in {
   int listening = socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in at{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};
@@ -39,7 +39,7 @@ struct stand_in {
 };
 
 int main() {
-  if (!ph::open_standard_descriptors()) return 1;  // else what is printed may go to a socket
+  if (!ph::open_standard_descriptors()) return 1;  // otherwise output may go to a socket
   stand_in board;
 
   ph::supervisor<udp_board> guard(udp_board(board.port()), {.timeout = 1});

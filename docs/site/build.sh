@@ -13,7 +13,18 @@ grep -ohE '\]\([^)#]+\.(cpp|hpp|py|sh|toml|txt|csv)\)' docs/*.md docs/guide/*.md
     id=${file#docs/}
     printf '/** @page %s %s\n@include %s\n*/\n' "$(tr -c 'A-Za-z0-9\n' _ <<<"${id,,}")" "$file" "$file"
   done >$parts/files.dox
+# The page of the Python reference, to which python.md leads
+mkdir -p $parts/guide
 python3 docs/site/python_reference.py >$parts/python_reference.md
+cat >$parts/guide/python_reference.md <<'END'
+# Python reference
+
+The texts of `help()`, for all public names. Arrays are NumPy's, of `float64`: `Numbers` is anything that NumPy makes a vector of, such as a list,
+`Rows` anything that it makes a matrix of, and an `Array` is returned.
+
+<!-- build/docs/python_reference.md -->
+END
+echo 'All names: @subpage guide_python_reference "Python reference".' >$parts/python_reference_link.md
 : >$parts/search_index.js
 doxygen docs/site/Doxyfile
 # Doxygen does not report a reference of the layout that leads nowhere

@@ -34,7 +34,7 @@ function link(text, target,    path, heading) {
   if (path ~ /\.hpp$/ && sub(/^include\//, "", path)) return "[" text "](@ref " path ")"
   if (path !~ /\.md$/) return "[" text "](@ref " id_of(path) ")"
   if (heading != "") return "[" text "](@ref " id_of(path) "_" anchor(heading) ")"
-  return page == guide ? "@subpage " id_of(path) " \"" text "\"" : "[" text "](@ref " id_of(path) ")"
+  return page == guide && !listed[path]++ ? "@subpage " id_of(path) " \"" text "\"" : "[" text "](@ref " id_of(path) ")"
 }
 # Of references like [`text`][name].
 function without_backticks(s,    done, text) {

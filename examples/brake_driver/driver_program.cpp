@@ -35,7 +35,7 @@ arguments parse(int argc, char** argv) {
   line.positive("--seconds", all.options.seconds,
                 "end after so long; otherwise Ctrl-C ends it, which releases the brakes first");
   line.flag("--check", all.check, "only say whether the configuration is right, and where home is");
-  line.flag("--limits", all.limits, "only say what the first wall can be (docs/guide/wall_limits.md)");
+  line.flag("--limits", all.limits, "only say what the first wall can be (docs/guide/design.md)");
   line.flag("--quiet", quiet, "no live table");
   line.port("--live", all.options.live_port,
             "send the log to this UDP port of this machine as it comes, as JSON (docs/guide/log.md)");

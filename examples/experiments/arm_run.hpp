@@ -217,13 +217,9 @@ void add_rows(std::vector<arm_row>& rows, const arm_kind<M>& kind) {
   const auto add = [&](const std::string& law_name, const auto& law) {
     rows.push_back(follow_row(kind, law_name, law));
   };
-  if constexpr (built_extent == arm_extent::all) {
-    add("no_direct_control", ph::no_direct_control());
-    add("saturated_direct_control", ph::saturated_direct_control());
-  }
-  add("velocity_direct_control", ph::velocity_direct_control());
   if constexpr (built_extent == arm_extent::all)
-    add("velocity_direct_control, rest_depth of 1 mm", ph::velocity_direct_control({.rest_depth = 0.001}));
+    add("saturated_direct_control", ph::saturated_direct_control());
+  add("velocity_direct_control", ph::velocity_direct_control());
 }
 
 }  // namespace experiments

@@ -41,7 +41,7 @@ inline constexpr arm_extent built_extent = arm_extent::sample;
 #endif
 inline constexpr std::size_t felt_runs = 3;
 inline constexpr std::size_t arm_runs =
-    felt_runs + (built_extent == arm_extent::all ? 32 * arm_settings : 4) * arm_walls;
+    felt_runs + (built_extent == arm_extent::all ? 16 * arm_settings : 4) * arm_walls;
 
 // The tables felt_forces and arms of docs/results.md: forces felt by a hand on arms, and whether it glides.
 // Returns true if no brake delivered power.

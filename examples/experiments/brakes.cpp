@@ -122,8 +122,8 @@ void laws_and_brakes(page_tables& page) {
   });
   std::vector<std::string> titles{"law"};
   for (const brake_case& b : brakes) titles.push_back(b.name);
-  std::string &hold = page["laws_and_brakes_hold"], &feel = page["laws_and_brakes_feel"];
-  hold = feel = markdown_head(titles);
+  std::string &hold = page["laws_and_brakes_hold"], feel = markdown_head(titles);
+  hold = feel;
   for (std::size_t i = 0; i < all_laws.size(); ++i) {
     std::vector<std::string> holds{std::string(name_of(all_laws[i]))}, feels = holds;
     for (std::size_t j = 0; j < brakes.size(); ++j) {
@@ -134,11 +134,10 @@ void laws_and_brakes(page_tables& page) {
     hold += markdown_row(holds);
     feel += markdown_row(feels);
   }
-  page["known_of_brakes"] = known_of(beliefs());
   std::printf(
       "\nLaws and brakes: separations / standard deviation [mm]\n\n%s\nDeepest [mm] / drag [N]\n\n%s"
       "\nvelocity_direct_control, by what is known of its brakes\n\n%s",
-      hold.c_str(), feel.c_str(), page["known_of_brakes"].c_str());
+      hold.c_str(), feel.c_str(), known_of(beliefs()).c_str());
   std::fflush(stdout);
 }
 

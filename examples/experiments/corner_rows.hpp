@@ -150,9 +150,9 @@ void add_device(corner_tables& tables, const corner_device<M>& device, int walls
   corner_columns<M> columns(tables, device, walls);
   const with_sensor recommended{ph::recommended_law(device.mechanism, device.brakes)};
   columns.add_law("recommended_law", recommended);
-  for_laws<law::direct, law::none, law::on_off>(
+  for_laws<law::direct, law::on_off>(
       [&](const std::string& name, const auto& l) { columns.add_law(name, with_sensor{l}); });
-  for_laws<law::velocity, law::direct>([&](const std::string& name, const auto& l) {
+  for_laws<law::velocity>([&](const std::string& name, const auto& l) {
     columns.add_law(name + ", no sensor", without_sensor{l});
   });
   if (walls == 2) columns.add_variations(recommended);

@@ -41,8 +41,8 @@ class scene_tables {
     }
   }
 
-  // Effects with and without a wall.
-  std::string fill_effects() {
+  // Effects in free space and along a wall, to stdout.
+  void print_effects() const {
     std::string all = markdown_head({"effect", "scene", "law", "moved [mm]", "creeps [mm/s]",
                                      "leaves after [ms]", "never left", "deepest in the wall [mm]"});
     struct effect_cell {
@@ -63,7 +63,7 @@ class scene_tables {
       const auto& l = benches_[0].effect_laws[c.law];
       const effect_figures &a = results[k], &b = results[k + 1];
       all += markdown_row(
-          {benches_[0].effects[c.effect].name, c.has_wall ? "along a wall" : "alone",
+          {benches_[0].effects[c.effect].name, c.has_wall ? "along a wall" : "in free space",
            l.name + (l.has_sensor ? "" : ", no sensor"), written("%.1f / %.1f", 1e3 * a.moved, 1e3 * b.moved),
            written("%.1f / %.1f", 1e3 * a.creep, 1e3 * b.creep),
            written("%.0f / %.0f", 1e3 * a.leave, 1e3 * b.leave), written("%d / %d", a.not_left, b.not_left),
@@ -71,7 +71,6 @@ class scene_tables {
     }
     std::printf("\nEffects, %s / %s\n\n%s", benches_[0].device.c_str(), benches_[1].device.c_str(),
                 all.c_str());
-    return all;
   }
 
   int unexplained() const {
@@ -206,11 +205,11 @@ class scene_tables {
 
 page_tables follow_scenes(const number_range& hands, int& unexplained) {
   scene_tables tables(hands);
-  const std::string effects = tables.fill_effects();
+  tables.print_effects();
   tables.fill();
   unexplained = tables.unexplained();
   std::printf("\nWorse cells by their limits; %d without a reason\n\n", unexplained);
-  return {{"effects_felt", effects}, {"scenes", tables.by_kind(0)}, {"scene_limits", tables.limits()}};
+  return {{"scenes", tables.by_kind(0)}, {"scene_limits", tables.limits()}};
 }
 
 }  // namespace experiments

@@ -19,7 +19,7 @@ struct scene_kind {
   bool is_world = false, is_slow = false, has_bar = false, has_mesh = false;
 };
 inline constexpr std::array<scene_kind, 9> scene_kinds{{
-    {.name = "alone"},
+    {.name = "by itself"},
     {.name = "below a bar", .has_bar = true},
     {.name = "world", .is_world = true},
     {.name = "world with a mesh", .is_world = true, .has_mesh = true},

@@ -258,6 +258,28 @@ std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, 
           all(fives, few),          all(four_brakes, few), all(tables, few)};
 }
 
+std::string wide_seeds(std::uint64_t first_seed) {
+  std::string table = markdown_head({"seed", "devices", "held by residual torque", "separating", "floating",
+                                     "never touching", "over 10 mm deep"});
+  const auto row = [&](const std::string& name, const wide_row& r) {
+    table += markdown_row({name, written("%zu", r.count), written("%d", r.held), written("%d", r.separating),
+                           written("%d", r.floating), written("%d", r.never), written("%d", r.deep)});
+  };
+  wide_row sum;
+  for (std::uint64_t seed = first_seed; seed < first_seed + 10; ++seed) {
+    const wide_row r = follow_all(tendons, seed, 300, belief::data_sheet, 1e-4);
+    row(written("%llu", static_cast<unsigned long long>(seed)), r);
+    sum.count += r.count;
+    sum.held += r.held;
+    sum.separating += r.separating;
+    sum.floating += r.floating;
+    sum.never += r.never;
+    sum.deep += r.deep;
+  }
+  row("all", sum);
+  return table;
+}
+
 std::string wide_table(const std::vector<wide_row>& rows) {
   std::string table = markdown_head({"device", "devices", "held by residual torque", "separating", "floating",
                                      "never touching", "over 10 mm deep", "of these: nothing is displayable",
@@ -267,31 +289,6 @@ std::string wide_table(const std::vector<wide_row>& rows) {
                            written("%d", r.separating), written("%d", r.floating), written("%d", r.never),
                            written("%d", r.deep), written("%d", r.deep_nothing), written("%d", r.deep_weak),
                            written("%.3f", 1e3 * r.median_std)});
-  return table;
-}
-
-std::string range_table() {
-  const ph::device_ranges r;
-  using interval = ph::device_ranges::interval;
-  std::string table = markdown_head({"quantity", "from", "to"});
-  const auto row = [&](const char* what, const interval& i) {
-    table += markdown_row({what, written("%g", i.low), written("%g", i.high)});
-  };
-  row("gain of each brake [1]", r.gain);
-  row("residual torque of each brake [N m]", r.residual_torque);
-  row("rise time of the brakes [s]", r.rise_time_constant);
-  row("fall for rise [1]", r.fall_ratio);
-  row("torque limit [N m]", r.torque_limit);
-  row("inertia for the nominal one [1]", r.inertia);
-  row("scale of the force sensor [1]", r.sensor_scale);
-  row("encoder counts a turn", r.encoder_counts);
-  row("speed along the wall [m/s]", r.hand_speed);
-  row("push [N]", r.push);
-  row("target depth of every second hand, an impedance [m]", r.target_depth);
-  row("mass of the hand [kg]", r.hand_mass);
-  row("stiffness of the wall [N/m]", r.wall_stiffness);
-  table += markdown_row({"rate of the environment, one of three [Hz]", written("%g", r.environment_rates[2]),
-                         written("%g", r.environment_rates[0])});
   return table;
 }
 

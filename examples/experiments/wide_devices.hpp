@@ -32,6 +32,10 @@ enum class belief {
 std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, double share = 1,
                                                double time_step = 1e-4);
 
+// 300 tendon devices for each of ten seeds from this one on, and their sum as the last row: a table of
+// Markdown.
+std::string wide_seeds(std::uint64_t first_seed);
+
 // How many of 300 tendon devices separate, by the depth at which the law lets the handle rest.
 struct rest_depth_row {
   double rest_depth = 0;  // [m]
@@ -41,8 +45,7 @@ struct rest_depth_row {
 std::vector<rest_depth_row> follow_at_rest_depths();
 std::string rest_depth_table(const std::vector<rest_depth_row>& rows);
 
-// The ranges, and the rows, as tables of Markdown.
-std::string range_table();
+// The rows as a table of Markdown.
 std::string wide_table(const std::vector<wide_row>& rows);
 
 }  // namespace experiments

@@ -1,7 +1,7 @@
 """Improves three planar devices for a task: their links, their base, and the reduction k2 of the paper's device.
 
 What counts is known before a device is built: how deep a hand sinks that a brake cannot hold, and how hard the brakes
-drag where they hold it. No law and no simulation is part of it. docs/guide/design_study.md shows what comes out.
+drag where they hold it. No law and no simulation is part of it. docs/guide/design.md shows what comes out.
 """
 
 from __future__ import annotations

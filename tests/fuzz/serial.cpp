@@ -26,7 +26,7 @@ constexpr std::uint32_t watchdog = 1000u * settings.watchdog;  // [us]
 using port = example::serial_port<settings.encoders, settings.brakes>;
 using brake_currents = std::array<std::uint16_t, settings.brakes>;
 
-// A decoder as a reader of docs/guide/serial_protocol.md would test it: what it takes for a packet is written
+// A decoder as a reader of docs/guide/ports.md would test it: what it takes for a packet is written
 // as the very bytes that came, and what was written as a frame it takes.
 class checked_decoder {
  public:

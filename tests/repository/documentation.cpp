@@ -100,7 +100,7 @@ TEST(documentation, explains_messages_that_programs_have) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder))
       if (entry.is_regular_file()) sources += read(entry.path());
   int explained = 0;
-  for (const char* page : {"docs/guide/troubleshooting.md", "docs/guide/brake_identification.md"})
+  for (const char* page : {"docs/guide/troubleshooting.md", "docs/guide/brake.md"})
     for (const auto& row : matches("^\\| `([^`]+)` \\|.*$", read(root / page))) {
       ++explained;
       EXPECT_NE(sources.find(row[1]), std::string::npos) << row[1];

@@ -1,4 +1,4 @@
-// Each equation of the paper stands at one place in include/, by its tag, and docs/notation.md says where.
+// Each equation of the paper is at one place in include/, by its tag, which docs/equations.md lists.
 #include "texts.hpp"
 
 #include <gtest/gtest.h>
@@ -79,8 +79,8 @@ errors check_symbols(const std::string& page, const texts& headers) {
   return all;
 }
 
-TEST(equations, stand_at_one_place_each_where_the_notation_says) {
-  EXPECT_EQ(check_equations(read(root / "docs/notation.md"), headers()), errors());
+TEST(equations, stand_at_one_place_each_where_the_page_says) {
+  EXPECT_EQ(check_equations(read(root / "docs/equations.md"), headers()), errors());
 }
 
 TEST(equations, symbols_are_in_their_files) {

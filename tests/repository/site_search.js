@@ -7,6 +7,7 @@ for (const file of ["search_index.js", "site_search.js"])
 
 const expected = {
   "own mechanism": "guide_your_mechanism.html",
+  "how do I add a mechanism": "guide_your_mechanism.html",
   "capacity": "glossary.html",
   "which law": "guide_which_law.html",
   "equation 12": "equations.html",

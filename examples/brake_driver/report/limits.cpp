@@ -83,7 +83,7 @@ void print_limits(const configuration& c) {
         wall.sliding_residual);
   std::printf(
       "\nDepth: velocity_direct_control that sees the wall once it is touched. Stiffness: the laws that use "
-      "it,\nwhich get half as deep again into it as into a rigid wall. Bands: docs/guide/wall_limits.md.\n");
+      "it,\nwhich get half as deep again into it as into a rigid wall. Bands: docs/guide/design.md.\n");
 }
 
 }  // namespace example

@@ -5,7 +5,7 @@
 
 namespace example {
 
-/// Prints results of the wall calculator (docs/guide/wall_limits.md) at the home pose, for the hand of
+/// Prints results of the wall calculator (docs/guide/design.md) at the home pose, for the hand of
 /// [simulation] and several speeds of approach.
 void print_limits(const configuration& c);
 

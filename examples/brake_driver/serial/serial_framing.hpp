@@ -1,5 +1,5 @@
 /// Frames on a serial line: a checksum, and unique delimiters. Shared by host and firmware; needs no heap,
-/// exceptions or operating system. Specified in docs/guide/serial_protocol.md.
+/// exceptions or operating system. Specified in docs/guide/ports.md.
 #pragma once
 
 #include <array>

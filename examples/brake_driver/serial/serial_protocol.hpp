@@ -1,5 +1,5 @@
 /// Messages between a host and a brake controller on a serial line, in frames of serial_framing.hpp.
-/// Specified in docs/guide/serial_protocol.md.
+/// Specified in docs/guide/ports.md.
 #pragma once
 
 #include <serial/serial_framing.hpp>

@@ -10,7 +10,7 @@ namespace passive_haptics {
 /// t_i <= 0 (3), in a box that contains 0.
 ///
 /// Brake and motor torques are not added: the larger one counts. If they add up in your device, use their sum
-/// as the torque_limit. Brakes convert to this type. Controllers do not accept it (docs/guide/hybrid.md).
+/// as the torque_limit. Brakes convert to this type. Controllers do not accept it (docs/guide/design.md).
 template <class T, int Brakes>
 struct hybrid_brake_parameters {
   switchable_brake_parameters<T, Brakes> brakes;              ///< The brakes.

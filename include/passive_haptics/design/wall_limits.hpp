@@ -108,7 +108,7 @@ inline double resting_depth(const braked_wall& wall) {
 
 }  // namespace detail
 
-/// Returns the limits of this wall. docs/guide/wall_limits.md has bands over random devices and omitted
+/// Returns the limits of this wall. docs/guide/design.md has bands over random devices and omitted
 /// effects.
 ///
 /// **Depth.** From T after the touch of a stiff wall full torque is commanded. The hand comes to rest at

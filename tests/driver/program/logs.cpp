@@ -169,8 +169,8 @@ TEST_F(a_log, of_a_mechanism_and_a_law_from_outside_replays_to_the_same_decision
   text +=
       "duration = 0.1\ntolerance = 1e6\nmax_gap = 5\n[loop]\nmax_overruns = 1000000\nmax_sleep = 10\n"
       "[safety]\nhold_over = 5\nsupervisor_timeout = 5\n[simulation]\nhand_start = 0.5\n";
-  file("crane.toml", text);
-  pid = spawn({program, "--config", "crane.toml", "--seconds=2", "--quiet"}, "driver");
+  file("scara.toml", text);
+  pid = spawn({program, "--config", "scara.toml", "--seconds=2", "--quiet"}, "driver");
   const outcome driven = end();
   EXPECT_EQ(driven.status, 0) << driven.err;
   EXPECT_EQ(driven.err, "");

@@ -1,6 +1,6 @@
 // slow, optimised
 // What motors beside the brakes would do for 300 random devices under velocity_direct_control: the figures of
-// docs/guide/hybrid.md with PASSIVE_HAPTICS_STRESS=full, else those of 30.
+// docs/guide/design.md with PASSIVE_HAPTICS_STRESS=full, else those of 30.
 #include "../../stress/effort.hpp"
 
 #include <passive_haptics/control/controller.hpp>
