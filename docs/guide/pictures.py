@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import passive_haptics as ph
-from passive_haptics import map_plots, plots, run_plots
+from passive_haptics import plots
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.8), layout="constrained")
 
@@ -25,25 +25,35 @@ figure.savefig(sys.argv[1] + "/device.png", dpi=150)
 
 # A map
 table = ph.five_bar()
-x, y = np.linspace(-0.08, 0.08, 81), np.linspace(0.04, 0.14, 51)
-angle = lambda q: float(np.degrees(table.displayable(q, velocity=[1, 0], normal=[0, -1]).angle))
-axes = plots.draw_map(x, y, plots.values_over(table, x, y, angle), label="approximation angle [deg]", limits=(0, 90))
+x, y = np.meshgrid(np.linspace(-0.08, 0.08, 81), np.linspace(0.04, 0.14, 51))
+q, outcomes = table.inverse(np.column_stack([x.flat, y.flat]))
+found = table.displayable(q, velocity=[1, 0], normal=[0, -1])
+angle = np.where(outcomes == ph.status.ok, np.degrees(found.angle), np.nan)
+axes = plots.draw_map(x, y, angle, label="approximation angle [deg]", limits=(0, 90))
 plots.draw_device(table, table.inverse([0.04, 0.1])[0], axes)
 axes.figure.savefig(sys.argv[1] + "/map.png", dpi=150)
 
 # A design map
-device = ph.tendon_two_link()
-x, y = np.linspace(-0.3, 0.3, 61), np.linspace(0, 0.3, 31)
-found = map_plots.map_over(device, x, y, direction=[1, 0], normal=[0, -1], brakes=device.brakes(), push=2)
-map_plots.draw_design_map(x, y, found)[0].figure.savefig(sys.argv[1] + "/design_map.png", dpi=100)
+figures = table.design_map(q, direction=[1, 0], normal=[0, -1], brakes=table.brakes(), push=2)
+figure, panels = plt.subplots(2, 2, figsize=(10, 6.5), layout="constrained")
+for axes, (name, highest) in zip(panels.flat, {"drag": 3, "max_force": 40, "sink_slope": 1, "isotropy": 1}.items()):
+    values = np.where(outcomes == ph.status.ok, figures[name], np.nan)
+    plots.draw_map(x, y, values, axes, label=name, limits=(0, highest))
+figure.savefig(sys.argv[1] + "/design_map.png", dpi=100)
 
 # Runs along a wall
-wall, runs = ph.half_space([0, 0.225], [0, -1]), {}
-brakes = device.brakes(torque_limit=[0.13, 0.13])  # just strong enough for the hand
-for law in (ph.no_direct_control(), ph.saturated_direct_control()):
+device, wall = ph.tendon_two_link(), ph.half_space([0, 0.225], [0, -1])
+brakes = device.brakes(torque_limit=0.13)  # just strong enough for the hand
+figure, (depth, torque) = plt.subplots(2, 1, sharex=True, layout="constrained")
+for law, colour in ((ph.no_direct_control(), plots.VERMILION), (ph.saturated_direct_control(), plots.BLUE)):
     simulated = ph.simulated_device(device, brakes, 0.5, device.inverse([0.045, 0.221])[0])
     hand = ph.following_hand([1, 0], simulated.position, push=1.75, normal_stiffness=300, target_depth=0.003)
     control = ph.controller(device, brakes, ph.scene(ph.wall(wall)), law)
-    figures, rows = ph.follow_wall(simulated, control, wall, hand, record=True)
-    runs[f"{type(law).__name__}: {figures.separations} separations"] = rows
-run_plots.draw_runs(runs)[0].figure.savefig(sys.argv[1] + "/runs.png", dpi=100)
+    metrics, rows = ph.follow_wall(simulated, control, wall, hand, record=True)
+    label = f"{type(law).__name__}: {metrics.separations} separations"
+    depth.plot(rows["time"], 1e3 * rows["depth"], color=colour, label=label)
+    torque.plot(rows["time"], rows["brake_torque"], color=colour)
+depth.set(ylabel="depth [mm]")
+depth.legend()
+torque.set(xlabel="time [s]", ylabel="torques of the brakes [N m]")
+figure.savefig(sys.argv[1] + "/runs.png", dpi=100)

@@ -57,10 +57,6 @@ signs = arm.brake_signs(q, [0.5, -0.2])
 nearest = arm.nearest_force(q, signs, [0, -5])
 found = arm.displayable(q, velocity=[0.05, 0], normal=[0, -1], brakes=brakes)
 print(f"{found.max_force:.1f} N at most, {np.degrees(found.angle):.0f} degrees off")
-landing = arm.braked_wall_at(
-    q, [0.05, 0.1], [0, -1], brakes, residual_torque=[0.01, 0.01], resolution=[1e-4, 1e-4], hand_mass=0.4
-)
-print(f"a hand gets {1e3 * ph.limits_of(landing).depth:.1f} mm deep")
 
 # Before there is a device
 x, y = np.meshgrid(np.linspace(0.05, 0.15, 21), np.linspace(0.15, 0.25, 21))
@@ -110,10 +106,12 @@ felt = ph.controller(arm, brakes, handle, ph.direct_control())
 # Logs
 folder = tempfile.TemporaryDirectory()
 path = os.path.join(folder.name, "motion.csv")
-ph.write_log(path, {"t": 1e-3 * np.arange(len(positions)), "q": positions, "qd": rates, "Fh": pushes})
-motion = ph.read_log(path)
-print(motion, motion["Fh_x"].max())
-again = control.batch(motion.rows("q"), motion.rows("qd"), motion.rows("Fh"), motion["t"])
+columns = np.column_stack([1e-3 * np.arange(len(positions)), positions, rates, pushes])
+np.savetxt(path, columns, fmt="%.17g", delimiter=",", header="t,q1,q2,qd1,qd2,Fh_x,Fh_y", comments="")
+log, units = ph.read_log(path)
+print(", ".join(f"{name} [{unit}]" for name, unit in units.items()))
+q, qd, Fh = (np.column_stack([log[a], log[b]]) for a, b in (("q1", "q2"), ("qd1", "qd2"), ("Fh_x", "Fh_y")))
+again = control.batch(q, qd, Fh, log["t"])
 
 # Brakes that are off
 control.set_brakes(arm.brakes(torque_limit=1, torque_lower=[0, -np.inf], torque_upper=[0, np.inf]))

@@ -25,8 +25,6 @@ MODULES = {
     ),  # fmt: skip
     "passive_haptics.producible_forces": ("producible_forces.py",),
     "passive_haptics.plots": ("plots.py",),
-    "passive_haptics.map_plots": ("map_plots.py",),
-    "passive_haptics.run_plots": ("run_plots.py",),
     "passive_haptics.planar_geometry": ("planar_geometry.py",),
     "passive_haptics.sweep": ("sweep.py",),
 }

@@ -1,7 +1,9 @@
-"""Improves three planar devices for a task: their links, their base, and the reduction k2 of the paper's device.
+"""Improves three planar devices for a task: their links, their base, and the reduction k2 of the paper's
+device.
 
-What counts is known before a device is built: how deep a hand sinks that a brake cannot hold, and how hard the brakes
-drag where they hold it. No law and no simulation is part of it. docs/guide/design.md shows what comes out.
+The cost is known before a device is built: the depth to which a hand sinks where the brakes do not hold it,
+and the drag of the brakes where they do. It needs neither a law nor a simulation. docs/guide/design.md shows
+the results.
 """
 
 from __future__ import annotations
@@ -36,7 +38,7 @@ class task(typing.NamedTuple):
     name: str
     x: Array  # [m]
     direction: Array  # of the motion
-    normal: Array  # of the wall, out of it
+    normal: Array  # of the wall, outward
 
 
 def both_ways(name: str, x: Array, along: Array, normal: Array) -> task:
@@ -58,30 +60,36 @@ def papers_wall(count: int = 32) -> task:
     return both_ways("the paper's wall", x, np.tile([1.0, 0.0], (count, 1)), np.tile([0.0, -1.0], (count, 1)))
 
 
+class posed(typing.NamedTuple):
+    """A device, its joint positions at places, and whether it reaches them."""
+
+    device: typing.Any
+    q: Array
+    reached: Array
+
+
+def by_inverse(device: typing.Any, x: Array) -> posed:
+    """A device that has an inverse, at places [m] in its base frame."""
+    q, outcomes = device.inverse(x)
+    return posed(device, q, outcomes == ph.status.ok)
+
+
+def arm_with_a_direction(v: Sequence[float], x: Array) -> posed:
+    """Three links, of which the last one keeps its direction."""
+    wrist = x - v[2] * np.array([math.cos(v[3]), math.sin(v[3])])
+    _, q, reached = by_inverse(ph.two_link(length_1=v[0], length_2=v[1]), wrist)
+    return posed(ph.planar_arm(v[:3]), np.column_stack([q, v[3] - q.sum(axis=1)]), reached)
+
+
 class design(typing.NamedTuple):
-    """A device whose numbers an optimiser may change. The last two are where its base stands [m]."""
+    """A device with numbers that an optimiser may change. The last two are the place of its base [m]."""
 
     name: str
     variables: tuple[str, ...]
     start: tuple[float, ...]
     bounds: tuple[tuple[float, float], ...]
-    made: Callable[[Sequence[float]], typing.Any]
-    pose: Callable[[typing.Any, Sequence[float], Array], typing.Optional[Array]]
-    """At x in the base frame; None: out of reach."""
-
-
-def pose_by_inverse(device: typing.Any, numbers: Sequence[float], x: Array) -> typing.Optional[Array]:
-    """The pose of a device that has an inverse."""
-    q, outcome = device.inverse(x)
-    return q if outcome == ph.status.ok else None
-
-
-def pose_of_arm(device: typing.Any, numbers: Sequence[float], x: Array) -> typing.Optional[Array]:
-    """The pose of three links whose last one keeps its direction."""
-    first, second, third, direction = numbers[:4]
-    wrist = x - third * np.array([math.cos(direction), math.sin(direction)])
-    q = pose_by_inverse(ph.two_link(length_1=first, length_2=second), numbers, wrist)
-    return None if q is None else np.array([q[0], q[1], direction - q[0] - q[1]])
+    at: Callable[[Sequence[float], Array], posed]
+    """With these numbers, at places [m] in the base frame."""
 
 
 BASE = ("base x [m]", "base y [m]")
@@ -91,92 +99,59 @@ DESIGNS = (
     design(
         "the paper's device", ("link 1 [m]", "link 2 [m]", "k2 [1]", *BASE), (0.15, 0.15, PAPERS_K2, 0, 0),
         (LINK, LINK, (0.1, 2.5), *AROUND_BASE),
-        lambda v: ph.tendon_two_link(length_1=v[0], length_2=v[1], reduction_2=v[2]), pose_by_inverse,
+        lambda v, x: by_inverse(ph.tendon_two_link(length_1=v[0], length_2=v[1], reduction_2=v[2]), x),
     ),
     design(
         "five-bar", ("upper links [m]", "lower links [m]", "base distance [m]", *BASE), (0.1, 0.13, 0.05, 0, 0),
         (LINK, LINK, (0.0, 0.15), *AROUND_BASE),
-        lambda v: ph.five_bar(proximal_1=v[0], proximal_2=v[0], distal_1=v[1], distal_2=v[1], base_distance=v[2]),
-        pose_by_inverse,
+        lambda v, x: by_inverse(ph.five_bar(v[2], v[0], v[0], v[1], v[1]), x),
     ),
     design(
         "arm of 3 joints", ("link 1 [m]", "link 2 [m]", "link 3 [m]", "direction of link 3 [rad]", *BASE),
         (0.12, 0.1, 0.08, 1.5, 0, 0), (LINK, LINK, (0.03, 0.15), (-math.pi, math.pi), *AROUND_BASE),
-        lambda v: ph.planar_arm(v[:3]), pose_of_arm,
+        arm_with_a_direction,
     ),
 )  # fmt: skip
 
 
-class figures(typing.NamedTuple):
-    """What a device does at the places of a task; NaN where it does not get."""
-
-    drag: Array  # for each newton out of the wall [1]
-    sink_slope: Array  # metres into the wall for each metre along it [1]
-
-    @property
-    def costs(self) -> Array:
-        """Of each place, 0 (held, no drag) to 2: both figures between 0 and 1, as some are infinite."""
-        drag, sink = (1 - 1 / (1 + np.nan_to_num(part, nan=np.inf)) for part in self)
-        return typing.cast(Array, drag + sink)
-
-    @property
-    def cost(self) -> float:
-        """Of the task."""
-        return float(np.mean(self.costs))
-
-    @property
-    def held(self) -> float:
-        """The share of places at which a push does not sink."""
-        return float(np.mean(self.sink_slope == 0))
+def figures_of(of: design, numbers: Sequence[float], what: task) -> tuple[Array, Array]:
+    """The drag for each newton out of the wall [1] and the sink slope [1] at each place; NaN out of reach."""
+    device, q, reached = of.at(numbers, what.x - np.asarray(numbers[-2:]))
+    brakes = device.brakes(torque_limit=TORQUE_LIMIT)
+    found = device.design_map(q, what.direction, what.normal, brakes, PUSH)
+    return tuple(np.where(reached, found[name], np.nan) for name in ("drag", "sink_slope"))  # type: ignore
 
 
-def figures_of(of: design, numbers: Sequence[float], what: task) -> figures:
-    """Of a design over a task."""
-    device = of.made(numbers)
-    poses = [of.pose(device, numbers, x - np.asarray(numbers[-2:])) for x in what.x]
-    reached = np.array([q is not None for q in poses])
-    drag, sink_slope = np.full(len(poses), np.nan), np.full(len(poses), np.nan)
-    if reached.any():
-        found = device.design_map(
-            np.array([q for q in poses if q is not None]), what.direction[reached], what.normal[reached],
-            device.brakes(torque_limit=[TORQUE_LIMIT] * device.brake_count), PUSH,
-        )  # fmt: skip
-        drag[reached], sink_slope[reached] = found["drag"], found["sink_slope"]
-    return figures(drag, sink_slope)
+def costs_of(drag: Array, sink_slope: Array) -> Array:
+    """The cost of each place, 0 (held, no drag) to 2: both figures between 0 and 1, as some are infinite."""
+    return sum(1 - 1 / (1 + np.nan_to_num(part, nan=np.inf)) for part in (drag, sink_slope))  # type: ignore
+
+
+def cost_of(of: design, numbers: Sequence[float], what: task) -> float:
+    """The mean over the places of a task."""
+    return float(np.mean(costs_of(*figures_of(of, numbers, what))))
 
 
 def improved(of: design, what: task, rounds: int) -> tuple[float, ...]:
-    """The numbers of the least cost that the optimiser finds; never worse than those at the start."""
-    cost = lambda numbers: figures_of(of, numbers, what).cost
+    """The numbers of the minimum cost that the optimiser finds; never worse than those at the start."""
     found = differential_evolution(
-        cost, of.bounds, x0=np.array(of.start), maxiter=rounds, popsize=6, tol=1e-3, seed=SEED, polish=False
-    )
+        lambda numbers: cost_of(of, numbers, what), of.bounds, x0=np.array(of.start), maxiter=rounds, popsize=6,
+        tol=1e-3, seed=SEED, polish=False,
+    )  # fmt: skip
     return tuple(float(number) for number in found.x)
 
 
-def draw_design(axes: plots.Axes, of: design, numbers: Sequence[float], what: task, title: str) -> typing.Any:
-    """The device at one place of the task, and the cost of each place: dots outside of each other, a way each."""
-    device, base, found = of.made(numbers), np.asarray(numbers[-2:]), figures_of(of, numbers, what)
-    q = next((q for x in what.x if (q := of.pose(device, numbers, x - base)) is not None), None)
-    if q is not None:
-        plots.draw_device(device, q, axes)
-    side = np.repeat([0.004, 0.010], len(what.x) // 2)[:, None]  # beside the wall, on its free side [m]
-    places = what.x - base + side * what.normal
-    dots = axes.scatter(*places.T, c=found.costs, cmap="cividis_r", vmin=0, vmax=WORST, s=14, zorder=8)
-    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", xlim=(-0.22, 0.22), ylim=(-0.12, 0.32))
-    drag = np.nanmedian(found.drag[np.isfinite(found.drag)]) if np.isfinite(found.drag).any() else math.nan
-    axes.set_title(f"{title}: cost {found.cost:.2f}, {found.held:.0%} held, drag {drag:.2f}", fontsize=10)
-    return dots
-
-
-def draw_study(path: str, what: task, after: dict[str, tuple[float, ...]]) -> None:
-    """Before and after, side by side."""
-    figure, rows = plt.subplots(len(DESIGNS), 2, figsize=(9, 4.1 * len(DESIGNS)), layout="constrained")
-    for (left, right), of in zip(rows, DESIGNS):
-        draw_design(left, of, of.start, what, f"{of.name}, before")
-        dots = draw_design(right, of, after[of.name], what, "after")
-    figure.colorbar(dots, ax=rows, shrink=0.4, label="cost of a place: 0 held without drag, 2 nothing is held")
-    figure.savefig(path, dpi=120)
+def draw_design(axes: plots.Axes, of: design, numbers: Sequence[float], what: task, title: str) -> None:
+    """The device at one place of the task, and the cost of each place: dots side by side, one for each
+    way."""
+    x, (drag, sink_slope) = what.x - np.asarray(numbers[-2:]), figures_of(of, numbers, what)
+    device, q, reached = of.at(numbers, x)
+    plots.draw_device(device, q[np.argmax(reached)], axes)
+    dots = x + np.repeat([0.004, 0.010], len(x) // 2)[:, None] * what.normal  # on the free side of the wall [m]
+    costs = costs_of(drag, sink_slope)
+    axes.scatter(*dots.T, c=costs, cmap="cividis_r", vmin=0, vmax=WORST, s=14, zorder=8)
+    axes.set(xlim=(-0.22, 0.22), ylim=(-0.12, 0.32))
+    axes.set_title(f"{title}: cost {np.mean(costs):.2f}, {np.mean(sink_slope == 0):.0%} held", fontsize=10)
 
 
 def draw_reductions(path: str, tasks: Sequence[task]) -> dict[str, float]:
@@ -184,15 +159,12 @@ def draw_reductions(path: str, tasks: Sequence[task]) -> dict[str, float]:
     values, best = np.geomspace(0.1, 2.5, 49), {}
     axes = plt.subplots(figsize=(6, 4), layout="constrained")[1]
     for what, colour in zip(tasks, (plots.BLUE, plots.VERMILION)):
-        costs = [figures_of(DESIGNS[0], (0.15, 0.15, k2, 0, 0), what).cost for k2 in values]
+        costs = [cost_of(DESIGNS[0], (0.15, 0.15, k2, 0, 0), what) for k2 in values]
         best[what.name] = float(values[int(np.argmin(costs))])
         axes.plot(values, costs, color=colour, lw=2, label=f"{what.name}: best at {best[what.name]:.2f}")
     axes.axvline(PAPERS_K2, color=plots.MUTED, lw=1, ls="--", label="the paper's 0.4")
     axes.set(xscale="log", xlabel="k2 [1]", ylabel="cost [1]", ylim=(0, None))
-    axes.set_title("The reduction of the paper's device")
-    axes.set_xticks([0.1, 0.2, 0.4, 1, 2], ["0.1", "0.2", "0.4", "1", "2"], minor=False)
     axes.legend(frameon=False)
-    axes.spines[["top", "right"]].set_visible(False)
     axes.figure.savefig(path, dpi=150)
     return best
 
@@ -204,14 +176,16 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=60, help="of the optimiser; 60 take a minute or two")
     given = parser.parse_args()
     os.makedirs(given.output, exist_ok=True)
-    what, after = around_a_disc(), dict[str, tuple[float, ...]]()
-    for of in DESIGNS:
-        after[of.name] = improved(of, what, given.rounds)
-        before, now = figures_of(of, of.start, what), figures_of(of, after[of.name], what)
-        print(f"{of.name}: cost {before.cost:.2f} -> {now.cost:.2f}, held {before.held:.0%} -> {now.held:.0%}")
-        for name, old, new in zip(of.variables, of.start, after[of.name]):
+    what = around_a_disc()
+    figure, rows = plt.subplots(len(DESIGNS), 2, figsize=(9, 4.1 * len(DESIGNS)), layout="constrained")
+    for of, (left, right) in zip(DESIGNS, rows):
+        after = improved(of, what, given.rounds)
+        print(f"{of.name}: cost {cost_of(of, of.start, what):.2f} -> {cost_of(of, after, what):.2f}")
+        for name, old, new in zip(of.variables, of.start, after):
             print(f"    {name:26s} {old:6.3f} -> {new:6.3f}")
-    draw_study(os.path.join(given.output, "design.png"), what, after)
+        draw_design(left, of, of.start, what, f"{of.name}, before")
+        draw_design(right, of, after, what, "after")
+    figure.savefig(os.path.join(given.output, "design.png"), dpi=120)
     best = draw_reductions(os.path.join(given.output, "design_reductions.png"), [papers_wall(), what])
     print("best k2: " + ", ".join(f"{k2:.2f} {name}" for name, k2 in best.items()))
     print(f"Pictures: {given.output}/design.png, {given.output}/design_reductions.png")

@@ -13,16 +13,15 @@ namespace {
 
 constexpr double push = 0.4;
 
-// At each state: the sink slope and the figures, where the handle moves as the hand pushes.
+// At each state the figures, where the handle moves as the hand pushes.
 template <class M>
 void write_figures(const M& mechanism, const task<M>& given, doubles_out& out) {
   const auto brakes = ph::hybrid_brakes<M>::with_limits(given.brakes.torque_limit);
   for (const auto& state : given.states) {
     const ph::path_point<M> at{state.q, state.hand_force, given.normal};
-    const auto sink = ph::sink_slope(mechanism, at.q, at.direction, at.normal, brakes, push);
     const auto f = ph::design_figures_at(mechanism, at, brakes, push);
-    for (const int whole : {int(sink.outcome), int(f.outcome), int(f.display)}) out.add(double(whole));
-    for (const double x : {sink.slope, f.cosine, f.drag, f.max_force, f.sink_slope, f.isotropy}) out.add(x);
+    for (const int whole : {int(f.outcome), int(f.display)}) out.add(double(whole));
+    for (const double x : {f.cosine, f.drag, f.max_force, f.sink_slope, f.isotropy}) out.add(x);
   }
 }
 

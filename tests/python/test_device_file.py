@@ -1,6 +1,7 @@
 """A device of a device file is what its parts are."""
 
 import os
+import pickle
 
 import numpy as np
 import pytest
@@ -31,7 +32,10 @@ def test_the_paper_s_device():
     assert device.mechanism == ph.tendon_two_link() and device.law == ph.direct_control()
     assert device.brakes == device.mechanism.brakes(torque_limit=1, time_constant=0.02)
     wall = ph.wall(ph.half_space([0, 0.225], [0, -1]), 1e7)
-    assert device.scene == ph.held_scene(ph.world([wall]), 0.05) and device.has_force_sensor
+    held = ph.controller(device.mechanism, device.brakes, ph.held_scene(ph.world([wall]), 0.05), device.law)
+    q, rates = [1.8, -1.2] + np.random.default_rng(1).uniform(-0.4, 0.4, (2, 300, 2))
+    assert device.controller().batch(q, rates, 3 * rates) == held.batch(q, rates, 3 * rates)
+    assert device.has_force_sensor
 
 
 def test_an_error_names_file_and_line(tmp_path):
@@ -41,11 +45,46 @@ def test_an_error_names_file_and_line(tmp_path):
         ph.load(path)
 
 
-def test_a_wall_that_moves_is_in_cpp_only(tmp_path):
+PLANE = '[[walls]]\ntype = "half_space"\nsurface_point = [0, 0.225]\nnormal = [0, -1]\nstiffness = 1e4\n'
+FIELD = '[mechanism]\ntype = "delta"\n[[walls]]\ntype = "height_field"\nfile = "heights.txt"\nspacing_x = 1\nspacing_y = 1\n'
+
+
+def capacities(device, q):
+    """At a pose under a push of 2 N along the last axis, after a quarter and three quarters of a second."""
+    d = device.mechanism.task_dimension
+    control, rates = device.controller(), np.full(len(q), 0.05)
+    return [control(ph.device_state(time, q, rates, [0.0] * (d - 1) + [2.0])).capacity.tolist() for time in (0.25, 0.75)]
+
+
+def test_a_wall_that_moves(tmp_path):
     path = tmp_path / "mine.toml"
-    path.write_text('[[walls]]\ntype = "half_space"\n[walls.motion]\nbelt_velocity = [0.1, 0]\n')
-    with pytest.raises(ValueError, match="mine.toml: a wall has a motion, expected walls that stay"):
-        ph.load(path)
+    path.write_text(PLANE + "[walls.motion]\namplitude = [0, 0.05]\nfrequency = 1\n")
+    device = ph.load(path)
+    q = device.mechanism.inverse([0.1, 0.23])[0]
+    while_it_is_away, when_it_is_back = capacities(device, q)
+    assert while_it_is_away == [0, 0] and max(when_it_is_back) > 0
+
+
+def test_a_height_field(tmp_path):
+    path = tmp_path / "mine.toml"
+    (tmp_path / "heights.txt").write_text("0 0\n0 0\n")
+    path.write_text(FIELD + "origin = [-0.5, -0.5, -0.1]\n")
+    device = ph.load(path)
+    control, arm = device.controller(), device.mechanism
+    over, under = (arm.inverse([0.01, 0.02, z])[0] for z in (-0.099, -0.101))
+    assert control(ph.device_state(0, over, [0.1] * 3, [0, 0, -2])).capacity.tolist() == [0, 0, 0]
+    assert control(ph.device_state(1e-3, under, [0.1] * 3, [0, 0, -2])).wall_number == 0
+
+
+def test_effects_without_a_wall(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text('walls = []\n[[effects]]\ntype = "viscous_field"\nviscosity = [[10, 0], [0, 20]]\n')
+    device = ph.load(path)
+    assert min(capacities(device, [0.7, 0.8])[0]) > 0
+    again = pickle.loads(pickle.dumps(device))
+    assert again == device and capacities(again, [0.7, 0.8]) == capacities(device, [0.7, 0.8])
+    with pytest.raises(TypeError, match="scene has effects, expected one without"):
+        ph.held_scene(device.scene, 0.1)
 
 
 def test_chains_and_shapes_of_shapes(tmp_path):
@@ -57,5 +96,8 @@ def test_chains_and_shapes_of_shapes(tmp_path):
     )
     device = ph.load(path)
     assert device.mechanism == ph.planar_arm([0.1, 0.1, 0.1])
-    assert device.scene == ph.world([ph.wall(ph.offset(ph.ball([0, 0.3], 0.1), 0.01), 1e7)])
+    scene = ph.world([ph.wall(ph.offset(ph.ball([0, 0.3], 0.1), 0.01), 1e7)])
+    made = ph.controller(device.mechanism, device.brakes, scene, device.law)
+    q, rates = np.random.default_rng(1).uniform(-1, 1, (2, 300, 3)) + [[[1.0, 1.0, 0.5]], [[0.0, 0.0, 0.0]]]
+    assert device.controller().batch(q, rates, rates[:, :2]) == made.batch(q, rates, rates[:, :2])
     assert device.law == device.mechanism.recommended_law(device.brakes)

@@ -34,7 +34,7 @@ result, brakes = at_the_wall(ph.no_direct_control(), 0.155, -5, hand)
 assert abs((hand + brakes)[1] + 3) < 1e-9 and result.alpha == 1
 result, brakes = at_the_wall(ph.direct_control(), 0.155, -5, hand)
 assert abs((hand + brakes)[1]) < 1e-9 and abs(result.alpha - 0.4) < 1e-9
-at_both_ends = gamma(ph.tendon_two_link(), [0.06, 0.17], [0.2251], 1)[0]
+at_both_ends = gamma(ph.tendon_two_link(), *np.meshgrid([0.06, 0.17], [0.2251]), 1)
 assert abs(at_both_ends[0] - 3) < 1 and abs(at_both_ends[1] - 33) < 2
 bounces, rows = follow(PAPERS_WALL, ph.no_direct_control())
 glides, _ = follow(PAPERS_WALL, ph.saturated_direct_control())

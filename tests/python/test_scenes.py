@@ -185,7 +185,7 @@ def test_effects():
     at_wall = ph.with_effects(ph.scene(ph.wall(ph.half_space([0, 0], [0, -1]), 1e4)), ph.rough_walls(coefficient=0.5))
     control = ph.controller(table, table.brakes([10, 10]), at_wall, ph.direct_control())
     result = control(ph.device_state(0, [0, 1e-3], [0.1, 0.01], [0, 4]))
-    assert result.torque == pytest.approx([-2, -4]) and at_wall.effects == (ph.rough_walls(coefficient=0.5),)
+    assert result.torque == pytest.approx([-2, -4])
 
 
 def test_scenes_of_different_kinds_are_not_equal():
@@ -194,13 +194,12 @@ def test_scenes_of_different_kinds_are_not_equal():
     scenes += [ph.with_effects(ph.world(walls), ph.rough_walls()), ph.with_effects(ph.world(walls), ph.rough_walls(0.1))]
     for i, a in enumerate(scenes):
         assert [a == b for b in scenes] == [i == j for j in range(len(scenes))]
-        assert a.walls == tuple(walls) and a.dimension == 2
+        assert a.dimension == 2
 
 
 def test_a_mesh_of_a_file():
     mesh, remarks = ph.read_stl(TETRAHEDRON, metres_per_unit=1e-3)
-    assert remarks == "" and len(mesh) == 4 and mesh.closed and mesh.hole == "" and mesh.dimension == 3
-    assert mesh.content == pytest.approx(0.1**3 / 6, rel=1e-12) and mesh.turned_edges == 0
+    assert remarks == "" and len(mesh) == 4 and mesh.dimension == 3
     assert mesh.vertices.shape == (4, 3) and mesh.facets.shape == (4, 3)
     assert mesh.plausibility(0.4) == ""
     assert "metres_per_unit is 1e-3?" in ph.read_stl(TETRAHEDRON)[0].plausibility(0.4)
@@ -223,7 +222,7 @@ def test_other_files(read, text, tmp_path):
     path.write_text(text)
     mesh, remarks = read(path, 0.1)
     assert ("line 9: 'Kd'" in remarks) == (read is ph.read_obj)
-    assert mesh.closed and mesh.content == pytest.approx(0.1**3 / 6, rel=1e-12)
+    assert len(mesh) == 4 and np.ptp(mesh.vertices) == 0.1
     assert read(str(path), 0.1) == (mesh, remarks)
     with pytest.raises(ValueError, match=r"^passive_haptics: mesh file .*tetrahedron: .*, expected "):
         path.write_text(text.replace("0 1 0", "0 one 0"))
@@ -232,7 +231,7 @@ def test_other_files(read, text, tmp_path):
 
 def test_polylines():
     solid = ph.mesh_solid(SQUARE)
-    assert solid.dimension == 2 and SQUARE.content == pytest.approx(0.01)
+    assert solid.dimension == 2
     assert solid.distance([0.05, 0.03]) == pytest.approx(-0.03)
     box = ph.box([0.05, 0.05], [0.05, 0.05])
     for x in np.random.default_rng(SEED).uniform(-0.1, 0.2, (100, 2)):

@@ -6,6 +6,7 @@ import pickle
 import random
 import shutil
 import signal
+import sqlite3
 import subprocess
 import sys
 import time
@@ -17,12 +18,12 @@ import pytest
 import experiments
 from experiments import BAD, DIES, EXITS, UNPICKLABLE, counted, digest, experiment
 from passive_haptics import progress as progress_module
-from passive_haptics.record_file import FRAME, HEADER, record_file
-from passive_haptics.sweep import sweep, sweep_error
+from passive_haptics.sweep import _results_in, sweep, sweep_error
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 GUIDE = os.path.join(HERE, "..", "..", "docs", "guide")
 PATIENCE = 120  # seconds until a test gives up on another process
+TWO_TASKS = 200_000  # bytes of a file with their results
 SEEDS = random.Random(1).sample(range(10_000), 300)
 
 
@@ -38,6 +39,12 @@ def environment(**more):
 
 def seeds_in(log):
     return [int(line.split()[1]) for line in log.read_text().splitlines()] if log.exists() else []
+
+
+def known_in(file):
+    """The items whose results a file has."""
+    with _results_in(file) as results:
+        return {pickle.loads(item) for (item,) in results.execute("SELECT item FROM results")}
 
 
 def until(condition):
@@ -93,7 +100,7 @@ def test_results_of_one_object_are_as_if_each_had_its_own():
 def test_seeds_and_sizes_that_are_not_valid():
     with pytest.raises(TypeError, match="item = <function .*, expected one that can be pickled"):
         sweep(experiment, [1, lambda: 2])
-    with pytest.raises(ValueError, match="seed 3 is given twice"):
+    with pytest.raises(ValueError, match="item 3 is given twice"):
         sweep(experiment, [3, 1, 3])
     with pytest.raises(ValueError, match="experiments_per_task = 0, expected 1 or more"):
         sweep(experiment, [3], experiments_per_task=0)
@@ -117,7 +124,7 @@ def test_failures_name_their_seeds_and_lose_no_others_results(serial):
     assert list(error.failures) == [BAD, UNPICKLABLE, EXITS, DIES]
     for seed, text in zip(error.failures, ["no such device", "pickle", "SystemExit: 3", "terminated abruptly"]):
         assert text in error.failures[seed]
-    assert "4 of 300 experiments failed, the first of them with seed 17: ValueError: no such device" in str(error)
+    assert "4 of 300 experiments failed, the first of them with item 17: ValueError: no such device" in str(error)
     good = [seed for seed in range(300) if seed not in error.failures]
     assert list(error.results) == good
     assert digest(error.results.values()) == digest([serial[seed] for seed in good])
@@ -155,15 +162,12 @@ def test_a_sweep_that_was_killed_goes_on(tmp_path, serial, monkeypatch):
     program = "import experiments, sys; from passive_haptics.sweep import sweep\n"
     program += "sweep(experiments.stuck_from_200, range(300), file=sys.argv[1])"
     child = subprocess.Popen([sys.executable, "-c", program, file], env=environment(SWEEP_LOG=log))
-    until(lambda: 200 in seeds_in(log) and os.path.getsize(file) > len(HEADER) + 2 * FRAME.size)
+    until(lambda: 200 in seeds_in(log) and os.path.getsize(file) > TWO_TASKS)
     child.kill()
     child.wait()
     workers = {int(line.split()[0]) for line in log.read_text().splitlines()}
     until(lambda: not any(map(is_running, workers)))  # they end soon after the sweep that was killed
-    with open(file, "ab") as torn:
-        torn.write(FRAME.pack(1000, 1) + b"the process died here")
-    with record_file(file) as of_first:
-        known = {seed for record in of_first.records for seed in pickle.loads(record)}
+    known = known_in(file)
     assert known and known <= set(range(200))
     log.unlink()
     monkeypatch.setenv("SWEEP_LOG", str(log))
@@ -173,13 +177,14 @@ def test_a_sweep_that_was_killed_goes_on(tmp_path, serial, monkeypatch):
 
 def test_ctrl_c_ends_a_sweep_and_keeps_what_was_finished(tmp_path, serial):
     log, file = tmp_path / "log", tmp_path / "results"
-    program = "import experiments, sys; from passive_haptics.sweep import sweep\n"
+    program = "import experiments, signal, sys; from passive_haptics.sweep import sweep\n"
+    program += "signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's job in the background has none\n"
     program += "sweep(experiments.stuck_from_200, range(300), file=sys.argv[1])"
     child = subprocess.Popen(
         [sys.executable, "-c", program, file],
         env=environment(SWEEP_LOG=log), start_new_session=True, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
-    until(lambda: 200 in seeds_in(log) and os.path.getsize(file) > len(HEADER) + 2 * FRAME.size)
+    until(lambda: 200 in seeds_in(log) and os.path.getsize(file) > TWO_TASKS)
     os.killpg(child.pid, signal.SIGINT)
     error = child.communicate(timeout=PATIENCE)[1]
     assert "KeyboardInterrupt" in error and error.count("Traceback") == 1  # no word of the other processes
@@ -190,14 +195,14 @@ def test_a_file_of_another_function_or_kind_is_refused(tmp_path):
     file = tmp_path / "results"
     sweep(experiment, range(10), file=file)
     before = file.read_bytes()
-    with pytest.raises(ValueError, match="results: the experiment of seed 4 has another result now"):
+    with pytest.raises(ValueError, match="results: the experiment of item 4 has another result now"):
         sweep(abs, [4, 5], file=file)
-    with pytest.raises(ValueError, match="the experiment of seed 4 fails now:(.|\n)*ZeroDivisionError"):
+    with pytest.raises(ValueError, match="the experiment of item 4 fails now:(.|\n)*ZeroDivisionError"):
         sweep(zero_divided, [4, 5], file=file)
     assert file.read_bytes() == before
     other = tmp_path / "letter.txt"
     other.write_text("Dear reader")
-    with pytest.raises(ValueError, match="letter.txt, expected a new file or one of records"):
+    with pytest.raises(ValueError, match="letter.txt: file is not a database, expected a new file or one of a sweep"):
         sweep(experiment, [1], file=other)
     assert other.read_text() == "Dear reader"
 
@@ -206,74 +211,17 @@ def zero_divided(seed):
     return seed / 0
 
 
-def test_records_are_whole_whatever_length_is_left(tmp_path):
-    path = tmp_path / "records"
-    records = [b"", b"first", b"\0" * 20, bytes(range(30))]
-    with record_file(path) as file:
-        for record in records:
-            file.append(record)
-    content = path.read_bytes()
-    for length in range(len(content) + 1):
-        for tail in (b"", b"\0" * 9, b"\xff" * 40):
-            left = content[:length] + (tail if length > len(HEADER) else b"")  # some of it makes a torn record whole
-            path.write_bytes(left)
-            with record_file(path) as file:
-                found = file.records
-                file.append(b"one more")
-            assert found == records[: len(found)]
-            whole = len(HEADER) + sum(FRAME.size + len(record) for record in found)
-            assert length < len(HEADER) or whole <= len(left)
-            if len(found) < len(records):
-                assert length < whole + FRAME.size + len(records[len(found)])
-            with record_file(path) as file:
-                assert file.records == [*found, b"one more"]
-
-
-def test_no_bit_of_a_record_changes_unnoticed(tmp_path):
-    path = tmp_path / "records"
-    with record_file(path) as file:
-        file.append(b"first")
-        file.append(b"second")
-    content = path.read_bytes()
-    for bit in range(8 * len(HEADER), 8 * len(content)):
-        changed = bytearray(content)
-        changed[bit // 8] ^= 1 << bit % 8
-        path.write_bytes(changed)
-        with record_file(path) as file:
-            second = bit // 8 >= len(HEADER) + FRAME.size + len(b"first")
-            assert file.records == ([b"first"] if second else [])
-
-
-def test_a_full_disk_leaves_the_file_as_it_was(tmp_path):
-    path = tmp_path / "records"
-    program = """
-import resource, sys
-from passive_haptics.record_file import record_file
-with record_file(sys.argv[1]) as file:
-    file.append(b"first")
-    resource.setrlimit(resource.RLIMIT_FSIZE, (200, 200))
-    try:
-        file.append(b"x" * 1000)
-    except OSError as error:
-        print("refused:", error)
-    file.append(b"last")
-"""
-    run = subprocess.run([sys.executable, "-c", program, path], env=environment(), capture_output=True, text=True)
-    assert "refused: [Errno 27] File too large" in run.stdout, run.stderr
-    with record_file(path) as file:
-        assert file.records == [b"first", b"last"]
-
-
-def test_a_file_is_open_once_at_a_time(tmp_path):
-    path = tmp_path / "records"
-    program = "import sys; from passive_haptics.record_file import record_file; record_file(sys.argv[1])"
-    with record_file(path):
-        with pytest.raises(BlockingIOError, match="records is in use, expected one that no other sweep writes"):
-            record_file(path)
+def test_a_file_is_used_once_at_a_time(tmp_path):
+    program = "import experiments, sys; from passive_haptics.sweep import sweep; sweep(abs, [1], file=sys.argv[1])"
+    path = tmp_path / "results"
+    with _results_in(path):
+        with pytest.raises(BlockingIOError, match="results is in use, expected one that no other sweep writes"):
+            sweep(abs, [1], file=path)
         other = subprocess.run([sys.executable, "-c", program, path], env=environment(), capture_output=True, text=True)
-        assert "records is in use" in other.stderr
-    with record_file(path) as file:
-        assert file.records == []
+        assert "results is in use" in other.stderr
+    assert sweep(abs, [-1], file=path) == [1]
+    with pytest.raises(sqlite3.OperationalError, match="unable to open database file"):
+        sweep(abs, [1], file=tmp_path / "no folder" / "results")
 
 
 class Terminal:
@@ -328,9 +276,7 @@ def test_300_experiments_by_two_ranks_of_mpi_one_of_which_is_killed(tmp_path, se
     command = [os.path.join(HERE, "sweep_by_mpi.py"), "300", file]
     killed = by_mpi(*command, folder=tmp_path, SWEEP_KILLED=tmp_path / "killed")
     assert killed.returncode != 0 and (tmp_path / "killed").exists(), killed.stdout + killed.stderr
-    with record_file(file) as of_first:
-        known = [seed for record in of_first.records for seed in pickle.loads(record)]
-    assert len(known) in (100, 200)
+    assert len(known_in(file)) in (100, 200)
     again = by_mpi(*command, folder=tmp_path, SWEEP_KILLED=tmp_path / "killed")
     assert again.returncode == 0, again.stderr
     assert f"digest 300 {digest(serial)}" in again.stdout

@@ -68,7 +68,7 @@ def test_a_brake_that_is_off_displays_nothing():
     off = arm.brakes(torque_lower=[0, 0], torque_upper=[0, 0])
     assert arm.displayable(q, motion, normal, arm.brakes()).max_force > 0
     assert arm.displayable(q, motion, normal, off).max_force == 0
-    assert arm.sink_slope(q, [1, 0], normal, off)[0] == inf
+    assert arm.design_map([q], [1, 0], normal, off)["sink_slope"] == inf
 
 
 def test_a_batch_keeps_the_brakes_with_which_it_began():

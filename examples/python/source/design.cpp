@@ -5,7 +5,6 @@
 #include <catalogue/catalogue.hpp>
 
 #include <passive_haptics/design/fme_boundary.hpp>
-#include <passive_haptics/design/wall_limits.hpp>
 
 #include <pybind11/stl.h>
 
@@ -35,15 +34,9 @@ struct places {
   rt::path_place operator[](py::ssize_t k) const { return {q[k], direction[k], normal[k]}; }
 };
 
-rt::design_brakes with_motors(const named& brakes, py::handle motor_limit) {
+rt::design_brakes without_motors(const named& brakes) {
   rt::design_brakes all{brakes_of(brakes), {}};
-  const auto m = static_cast<int>(all.brakes.torque_limit.size());
-  all.motor_limit = motor_limit.is_none() ? std::vector<double>(static_cast<std::size_t>(m), 0)
-                                          : vector_from(motor_limit, "motor_limit", m);
-  for (std::size_t i = 0; i < all.motor_limit.size(); ++i)
-    if (!(all.motor_limit[i] >= 0))
-      refuse_value("motor_limit[" + std::to_string(i) + "] [N m] = " +
-                   std::string(py::repr(py::float_(all.motor_limit[i]))) + ", expected a number >= 0");
+  all.motor_limit.assign(all.brakes.torque_limit.size(), 0);
   return all;
 }
 
@@ -76,10 +69,10 @@ struct figures_row {
 
 // Fills the rows of a structured array; calls tick(k) now and then.
 void map_of(const mechanism& m, py::handle q, py::handle direction, py::handle normal, const named& brakes,
-            double push, py::handle motor_limit, py::array rows, const py::object& tick) {
+            double push, py::array rows, const py::object& tick) {
   constexpr py::ssize_t places_between_signals = 1 << 8;
   const places at(m, q, direction, normal, "direction");
-  const rt::design_brakes of = with_motors(brakes, motor_limit);
+  const rt::design_brakes of = without_motors(brakes);
   auto* const row = static_cast<figures_row*>(rows.mutable_data());
   for (py::ssize_t k = 0; k < at.q.size(); ++k) {
     const auto f = m.functions().figures(at[k], of, push);
@@ -97,11 +90,11 @@ void map_of(const mechanism& m, py::handle q, py::handle direction, py::handle n
 }
 
 double depth_of(const mechanism& m, py::handle q, py::handle direction, py::handle normal,
-                const named& brakes, double push, py::handle motor_limit) {
+                const named& brakes, double push) {
   const places at(m, q, direction, normal, "direction");
   std::vector<rt::path_place> path;
   for (py::ssize_t k = 0; k < at.q.size(); ++k) path.push_back(at[k]);
-  return m.functions().sink_depth(path, with_motors(brakes, motor_limit), push);
+  return m.functions().sink_depth(path, without_motors(brakes), push);
 }
 
 py::tuple references_of(const mechanism& m, py::handle q) {
@@ -125,24 +118,6 @@ py::list fmes_of(const mechanism& m, py::handle q, int segments) {
     all.append(py::make_tuple(py::make_tuple(region[0], region[1]), points));
   }
   return all;
-}
-
-named braked_wall_at(const mechanism& m, py::handle q, py::handle velocity, py::handle normal,
-                     const named& brakes, py::handle residual_torque, py::handle resolution,
-                     double hand_mass) {
-  const places at(m, q, velocity, normal, "velocity");
-  const auto residual = vector_from(residual_torque, "residual_torque"),
-             count = vector_from(resolution, "resolution");
-  const auto found = example::catalogue().braked_wall_at(
-      *m.held, brakes_of(brakes), {at.q[0], at.direction[0], at.normal[0], residual, count, hand_mass});
-  if (!found)
-    refuse_type(
-        "braked_wall_at needs a mechanism with inertia and as many joints as task dimensions; take one, such "
-        "as "
-        "two_link");
-  named made("table", "braked_wall", 0);
-  made.table = rt::any_parameters(*found);
-  return made;
 }
 
 // ---- simulations
@@ -227,19 +202,6 @@ py::tuple follow(const mechanism& m, rt::any_plant& plant, controller& control, 
       array_of(seen.numbers()));
 }
 
-py::dict energies(const ph::energy_balance& e) {
-  py::dict all;
-  all["start"] = e.start;
-  all["hand"] = e.hand;
-  all["gravity"] = e.gravity;
-  all["brakes"] = e.brakes;
-  all["residual_friction"] = e.residual_friction;
-  all["drag"] = e.drag;
-  all["kinetic"] = e.kinetic;
-  all["max_brake_power"] = e.max_brake_power;
-  return all;
-}
-
 }  // namespace
 
 void bind_design(py::class_<mechanism>& bound) {
@@ -262,16 +224,8 @@ void bind_design(py::class_<mechanism>& bound) {
            })
       .def("passive_fme", &fmes_of)
       .def("displayable", &displayable)
-      .def("sink_slope",
-           [](const mechanism& m, py::handle q, py::handle direction, py::handle normal, const named& brakes,
-              double push, py::handle motors) {
-             const places at(m, q, direction, normal, "direction");
-             const auto found = m.functions().sink_slope(at[0], with_motors(brakes, motors), push);
-             return py::make_tuple(found.slope, enumerated("status", found.outcome));
-           })
       .def("sink_depth", &depth_of)
-      .def("design_map", &map_of)
-      .def("braked_wall_at", &braked_wall_at);
+      .def("design_map", &map_of);
 }
 
 void bind_simulations(py::module_& module) {
@@ -293,17 +247,10 @@ void bind_simulations(py::module_& module) {
       .def("qd", numbers(&P::qd))
       .def("position", numbers(&P::position))
       .def("velocity", numbers(&P::velocity))
-      .def("rates", numbers(&P::rates))
       .def("sensed_force", numbers(&P::sensed_force))
-      .def("brake_torque", numbers(&P::brake_torque))
-      .def("brake_force", numbers(&P::brake_force))
-      .def("energy", [](const P& p) { return energies(p.energy()); });
+      .def("brake_torque", numbers(&P::brake_torque));
   module.def("hand_force", &hand_force);
   module.def("follow_wall", &follow);
-  module.def("limits_of", [](const named& of) {
-    const auto found = ph::limits_of(of.table.as<ph::braked_wall>());
-    return py::make_tuple(found.depth, found.rigid_depth, found.stiffness, found.drift, found.pushed_out);
-  });
 }
 
 }  // namespace passive_haptics_python

@@ -4,7 +4,6 @@
 #include <catalogue/catalogue.hpp>
 
 #include <passive_haptics/core/parameter_text.hpp>
-#include <passive_haptics/design/wall_limits.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 #include <passive_haptics/runtime/device_file/device_description.hpp>
 #include <passive_haptics/runtime/device_file/nearest_name.hpp>
@@ -45,7 +44,6 @@ rt::any_parameters defaults_of(const std::string& list, const std::string& name,
   else if (list == "brakes") return rt::any_parameters(rt::brake_numbers(d));
   else if (name == "following_hand") return rt::any_parameters(ph::following_hand_parameters<double>());
   else if (name == "wall_following_parameters") return rt::any_parameters(ph::wall_following_parameters());
-  else if (name == "braked_wall") return rt::any_parameters(ph::braked_wall());
   else if (name == "controller") return rt::any_parameters(rt::cycle_options());
   if (found != nullptr) return *found;
   refuse_value(list + " = '" + name + "', expected a name of the catalogue of this dimension");
@@ -224,7 +222,7 @@ py::list described(const rt::field_list& fields) {
   return all;
 }
 
-// Names in each list, with their dimensions (2, 3, or both), of a mechanism its sizes.
+// Names in each list, with their dimensions (2, 3, or both).
 py::dict lists() {
   const rt::catalogue& all = example::catalogue();
   py::dict found;
@@ -247,9 +245,6 @@ py::dict lists() {
   for (const auto& s : all.shapes<2>())
     if (s.takes_shape) made_of_shapes.append(s.name);
   found["made_of_shapes"] = made_of_shapes;
-  for (const auto& m : all.mechanisms())
-    found["mechanism"][m.name.c_str()] =
-        py::make_tuple(m.sizes.dof, m.sizes.task_dimension, m.sizes.brake_count, m.has_inertia);
   return found;
 }
 

@@ -15,6 +15,7 @@
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <utility>
 
 namespace passive_haptics_python {
@@ -85,9 +86,13 @@ mesh mesh_of(ph::mesh_parameters<D> p) {
   return {faceted<D>(std::move(p))};
 }
 template <int D>
-mesh mesh_of_arrays(const py::array_t<double>& vertices, const py::array_t<std::int64_t>& facets) {
+mesh mesh_of_arrays(const py::array_t<double>& vertices, const py::array_t<double>& facets) {
   const auto points = vertices.unchecked<2>();
   const auto corners = facets.unchecked<2>();
+  if (corners.shape(1) != D)
+    refuse_value("shape of facets = " + std::string(py::str(facets.attr("shape"))) + ", expected (M, " +
+                 std::to_string(D) + "), " +
+                 (D == 2 ? "the two ends of each segment" : "the three corners of each triangle"));
   ph::mesh_parameters<D> p;
   p.vertices.resize(static_cast<std::size_t>(points.shape(0)));
   p.facets.resize(static_cast<std::size_t>(corners.shape(0)));
@@ -95,15 +100,23 @@ mesh mesh_of_arrays(const py::array_t<double>& vertices, const py::array_t<std::
     for (int k = 0; k < D; ++k) p.vertices[i][k] = points(py::ssize_t(i), k);
   for (std::size_t i = 0; i < p.facets.size(); ++i) {
     for (int k = 0; k < D; ++k) {
-      const std::int64_t index = corners(py::ssize_t(i), k);
-      if (!std::in_range<int>(index))
+      const double index = corners(py::ssize_t(i), k);
+      if (!(index >= 0 && index < double(p.vertices.size()) && index == std::floor(index)))
         refuse_value("facet " + std::to_string(i) +
-                     " of a mesh: index of a vertex = " + std::to_string(index) +
-                     ", expected 0 or more and less than " + std::to_string(p.vertices.size()));
+                     " of a mesh: index of a vertex = " + std::string(py::str(py::float_(index))) +
+                     ", expected a whole number of 0 or more and less than " +
+                     std::to_string(p.vertices.size()));
       p.facets[i][static_cast<std::size_t>(k)] = static_cast<int>(index);
     }
   }
   return mesh_of<D>(std::move(p));
+}
+mesh mesh_from(py::handle vertices, py::handle facets) {
+  const auto points = array_from(vertices, "vertices", {2}), corners = array_from(facets, "facets", {2});
+  if (points.shape(1) == 2) return mesh_of_arrays<2>(points, corners);
+  if (points.shape(1) == 3) return mesh_of_arrays<3>(points, corners);
+  refuse_value("shape of vertices = " + std::string(py::str(points.attr("shape"))) +
+               ", expected (N, 2) or (N, 3)");
 }
 
 template <class T, class Rows>
@@ -147,10 +160,7 @@ shape surface_of(const mesh& m, double skin, double crease_angle) {
 
 void bind_meshes(py::module_& module) {
   py::class_<mesh>(module, "mesh")
-      .def(py::init([](const py::array_t<double>& vertices, const py::array_t<std::int64_t>& facets) {
-        return vertices.shape(1) == 2 ? mesh_of_arrays<2>(vertices, facets)
-                                      : mesh_of_arrays<3>(vertices, facets);
-      }))
+      .def(py::init(&mesh_from))
       .def("vertices",
            [](const mesh& m) {
              return m.visit(
@@ -161,12 +171,6 @@ void bind_meshes(py::module_& module) {
              return m.visit(
                  []<int D>(const faceted<D>& of) { return rows_as_array<int>(of.given.facets, D); });
            })
-      .def("closed", [](const mesh& m) { return m.visit([](auto& of) { return of.surface.closed(); }); })
-      .def("hole",
-           [](const mesh& m) { return m.visit([](auto& of) { return std::string(of.surface.hole()); }); })
-      .def("turned_edges",
-           [](const mesh& m) { return m.visit([](auto& of) { return of.surface.turned_edges(); }); })
-      .def("content", [](const mesh& m) { return m.visit([](auto& of) { return of.surface.content(); }); })
       .def("plausibility", [](const mesh& m, double reach) {
         return m.visit([&](auto& of) { return ph::plausibility(of.surface, reach); });
       });
@@ -210,9 +214,9 @@ struct sampled {
   void reset() { of.reset(); }
 };
 scene held(const scene& of, double period) {
-  if (const auto* plane = std::get_if<rt::any_scene<2>>(&of.held))
-    return {rt::any_scene<2>(ph::held_scene<sampled<2>>({*plane}, period))};
-  return {rt::any_scene<3>(ph::held_scene<sampled<3>>({std::get<rt::any_scene<3>>(of.held)}, period))};
+  return of.without_effects([&]<int D>(const rt::any_scene<D>& walls) -> scene {
+    return {rt::any_scene<D>(ph::held_scene<sampled<D>>({walls}, period))};
+  });
 }
 
 effect made_effect(const named& n) {
@@ -224,7 +228,7 @@ effect made_effect(const named& n) {
 }
 
 template <int D>
-scene beside(const scene& of, const std::vector<effect>& effects) {
+scene beside(const rt::any_scene<D>& walls, const std::vector<effect>& effects) {
   std::vector<rt::any_effect<D>> all;
   for (const effect& e : effects) {
     const auto& one = [&]() -> const auto& {
@@ -236,7 +240,7 @@ scene beside(const scene& of, const std::vector<effect>& effects) {
                    std::to_string(5 - D) + " numbers, expected " + std::to_string(D) + ", as its walls have");
     all.push_back(*one);
   }
-  return {rt::any_scene_with_effects<D>(std::get<rt::any_scene<D>>(of.held), all)};
+  return {rt::any_scene_with_effects<D>(walls, all)};
 }
 
 }  // namespace
@@ -251,11 +255,13 @@ void bind_scenes(py::module_& module) {
   bind_meshes(module);
   py::class_<wall>(module, "wall").def(py::init(&made_wall));
   py::class_<effect>(module, "effect").def(py::init(&made_effect));
-  py::class_<scene>(module, "scene").def(py::init(&made_scene));
+  py::class_<scene>(module, "scene").def(py::init(&made_scene)).def("dimension", [](const scene& of) {
+    return of.held.index() % 2 == 1 ? 2 : 3;
+  });
   module.def("held_scene", &held);
   module.def("with_effects", [](const scene& of, const std::vector<effect>& effects) {
-    return std::holds_alternative<rt::any_scene<2>>(of.held) ? beside<2>(of, effects)
-                                                             : beside<3>(of, effects);
+    return of.without_effects(
+        [&]<int D>(const rt::any_scene<D>& walls) { return beside<D>(walls, effects); });
   });
 }
 

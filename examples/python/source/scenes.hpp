@@ -38,6 +38,16 @@ struct wall {
 /// A scene; without monostate.
 struct scene {
   rt::scene_variant held;  ///< As a controller takes it.
+
+  /// f(walls), an any_scene<D>; a TypeError if there are effects.
+  template <class F>
+  auto without_effects(const F& f) const {
+    if (const auto* plane = std::get_if<rt::any_scene<2>>(&held)) return f(*plane);
+    if (const auto* space = std::get_if<rt::any_scene<3>>(&held)) return f(*space);
+    refuse_type(
+        "scene has effects, expected one without: with_effects(held_scene(...), effect, ...) with all "
+        "effects");
+  }
 };
 
 /// An effect of the plane, of space, or of both.

@@ -292,20 +292,6 @@ std::vector<example::log_column> columns_in(const std::string& log) {
   return example::columns_of(reader);
 }
 
-// What require_equal finds wrong with a log of these columns, once it is written.
-std::string refusal_of(const std::vector<example::log_column>& columns) {
-  std::istringstream in(example::log_text(columns, true));
-  try {
-    log_reader reader(in, "a.csv");
-    example::require_equal(reader, columns);
-  } catch (const example::log_error& error) {
-    return error.what();
-  }
-  return "none";
-}
-
-const example::log_column times{"t", "s", {0, 0.5}, {}};
-
 }  // namespace
 
 TEST(log_columns, are_numbers_or_words_by_their_units) {
@@ -332,14 +318,4 @@ TEST(log_columns, are_known_by_names_with_their_parts) {
     EXPECT_NE(example::find_known(name), nullptr) << name;
   for (const char* name : {"", "t1", "q", "q0", "q01", "qd_x", "Fh_w", "Fh1", "mine"})
     EXPECT_EQ(example::find_known(name), nullptr) << name;
-}
-
-TEST(log_columns, that_no_log_can_hold_are_found) {
-  EXPECT_EQ(refusal_of({times, {"word", "", {}, {" , \" ", "\xff"}}, {"x y", "1", {-0.0, NAN}, {}}}), "none");
-  EXPECT_EQ(refusal_of({times, {"x", "1", {0, HUGE_VAL}, {}}}),
-            "a.csv, line 5, column 2: inf for 'x', expected a finite number, or NaN for what is not known");
-  EXPECT_TRUE(refusal_of({times, {"x", "", {}, {"a\nb", ""}}}).starts_with("a.csv, line 4"));
-  EXPECT_TRUE(refusal_of({times, {"x,y", "1", {0, 0}, {}}}).find("expected") != std::string::npos);
-  EXPECT_TRUE(refusal_of({times, {" x", "1", {0, 0}, {}}}).find("column ' x' in '1'") != std::string::npos);
-  EXPECT_TRUE(refusal_of({times, {"x", "a,b", {0, 0}, {}}}).find("expected") != std::string::npos);
 }

@@ -25,7 +25,7 @@ from passive_haptics.chains import nearest_pose, planar_arm
 from passive_haptics.controllers import batch_result, controller
 from passive_haptics.device_file import device_description, load
 from passive_haptics.devices import brakes, mechanism, serial_chain
-from passive_haptics.logs import motion_log, read_log, write_log
+from passive_haptics.logs import read_log
 from passive_haptics.python_mechanism import python_mechanism
 from passive_haptics.results import (
     contact_metrics,
@@ -35,7 +35,6 @@ from passive_haptics.results import (
     power_class,
     run_end,
     status,
-    wall_limits,
 )
 from passive_haptics.scenes import (
     held_scene,
@@ -46,19 +45,20 @@ from passive_haptics.scenes import (
     read_ply,
     read_stl,
     scene,
+    scene_of_device,
     wall,
     with_effects,
     world,
 )
-from passive_haptics.simulations import follow_wall, following_hand, limits_of, simulated_device
+from passive_haptics.simulations import follow_wall, simulated_device
 
 __all__ = [
     *_catalogue.__all__, "batch_result", "brake_model", "brakes", "contact_metrics", "contact_report", "controller",
-    "device_description", "device_state", "display_class", "displayable_force", "effect", "follow_wall", "following_hand",
-    "held_scene", "include_folders", "law", "limits_of", "load", "mechanism", "mesh", "mesh_solid", "mesh_surface",
-    "motion_log", "nearest_pose", "planar_arm", "power_class", "python_mechanism", "read_log", "read_obj", "read_ply",
-    "read_stl", "run_end", "scene", "serial_chain", "shape", "simulated_device", "status", "step_result", "wall",
-    "wall_limits", "with_effects", "world", "write_log",
+    "device_description", "device_state", "display_class", "displayable_force", "effect", "follow_wall",
+    "held_scene", "include_folders", "law", "load", "mechanism", "mesh", "mesh_solid", "mesh_surface",
+    "nearest_pose", "planar_arm", "power_class", "python_mechanism", "read_log", "read_obj", "read_ply",
+    "read_stl", "run_end", "scene", "scene_of_device", "serial_chain", "shape", "simulated_device", "status", "step_result", "wall",
+    "with_effects", "world",
 ]  # fmt: skip
 
 
@@ -67,7 +67,7 @@ def include_folders() -> list[str]:
     return [os.path.join(os.path.dirname(__file__), "include"), "/usr/include/eigen3"]
 
 
-_LATER = ["plots", "map_plots", "run_plots", "sweep", "producible_forces"]
+_LATER = ["plots", "sweep", "producible_forces"]
 
 
 def __dir__() -> list[str]:

@@ -1,9 +1,11 @@
-"""The base classes of what the catalogue of the library has by name: laws, shapes, effects, brake models; of tables of
-parameters, too."""
+"""The base classes of what the catalogue of the library has by name: laws, shapes, effects, brake models; of
+tables of parameters, too."""
 
 from __future__ import annotations
 
 from typing import Any, ClassVar
+
+import numpy as np
 
 from passive_haptics import _native
 from passive_haptics.arrays import Array, Numbers
@@ -119,3 +121,33 @@ class parameter_table(catalogue_value):
     """Parameters that belong together."""
 
     _list = "table"
+
+
+class hand(parameter_table):
+    """A hand that moves along a wall in a direction of any length > 0, at start [m] at time 0: d numbers
+    each."""
+
+    def __init__(self, direction: Numbers, start: Numbers, given: dict[str, Any]) -> None:
+        super().__init__({key: of for key, of in given.items() if key not in ("direction", "start")})
+        way, first = np.array(direction, dtype=float), np.array(start, dtype=float)
+        if first.shape != way.shape or way.shape not in ((2,), (3,)):
+            text = f"length of start = {first.size}, expected {way.size}, as direction has, 2 or 3"
+            raise ValueError(f"passive_haptics: {text}")
+        if not 0 < np.linalg.norm(way) < np.inf:
+            text = f"direction of a {self._name} = {way.tolist()}, expected a direction of finite length > 0"
+            raise ValueError(f"passive_haptics: {text}")
+        self._parameters = {"direction": way.tolist(), "start": first.tolist(), **self._parameters}
+
+    def force(self, time: float, position: Numbers, velocity: Numbers, normal: Numbers, depth: float) -> Array:
+        """Force of the muscles [N] at a time [s], with the handle at a position [m] with a velocity [m/s],
+        and at a depth [m] in a wall of this normal."""
+        p = self._parameters
+        of: Array = _native.hand_force(
+            self._held, p["direction"], p["start"], time, position, velocity, normal, depth
+        )
+        return of
+
+    @property
+    def mass(self) -> float:
+        """What moves with the handle [kg]."""
+        return float(self._parameters["mass"])

@@ -39,7 +39,6 @@ ABOUT = {
     "presliding": "A coulomb_brake that turns elastically before it slips.",
     "following_hand": "A hand that moves along a wall in a direction and presses on it, at start [m] at time 0.",
     "wall_following_parameters": "Timing and sensing of a wall-following experiment.",
-    "braked_wall": "A wall made of brakes, for limits_of().",
 }
 HEAD = '''"""The entries of the library's catalogue as classes. Made by classes.py at the build."""
 
@@ -49,7 +48,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Literal, Optional
 
 from passive_haptics.arrays import Numbers, Rows
-from passive_haptics.catalogue_values import brake_model, effect, law, parameter_table, shape, shape_of_shape
+from passive_haptics.catalogue_values import brake_model, effect, hand, law, parameter_table, shape, shape_of_shape
 from passive_haptics.devices import mechanism
 '''
 
@@ -149,8 +148,8 @@ def module_text(native: Any) -> str:
         add(entry, "effect", "effect", entry, 2, f"    _dimensions = {tuple(dimensions) if has_vector else ()}\n")
     for entry in lists["brake_model"]:
         add(f"{entry}_brake", "brake_model", "brake_model", entry, 0)
-    for entry in ("wall_following_parameters", "braked_wall"):
-        add(entry, "parameter_table", "table", entry, 0)
+    add("wall_following_parameters", "parameter_table", "table", "wall_following_parameters", 0)
+    add("following_hand", "hand", "table", "following_hand", 0, "", "direction: Numbers, start: Numbers", "direction, start, ")
     shown = ", ".join(f'"{name}"' for name in names)
     return "".join(parts) + f"\n\n__all__ = [{shown}]\n"
 
@@ -175,10 +174,7 @@ __version__: str
 
 def __getattr__(name: str) -> Any: ...
 def lists() -> dict[str, Any]: ...
-def status_text(value: int) -> str: ...
-def power_text(value: int) -> str: ...
-def display_text(value: int) -> str: ...
-def run_end_text(value: int) -> str: ...
+def text_of(name: str, value: int) -> str: ...
 '''
 
 

@@ -52,12 +52,6 @@ class batch_result:
             of.shape == theirs[key].shape and of.tobytes() == theirs[key].tobytes() for key, of in mine.items()
         )
 
-    def __getstate__(self) -> dict[str, Any]:
-        return vars(self)
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-
 
 class controller(value):
     """A mechanism, its brakes, a scene and a law, called once a cycle or for many states in one call.
@@ -197,13 +191,12 @@ _law = law
 
 
 def _contents(self: Any) -> dict[str, Any]:
-    names = [name for name, of in vars(type(self)).items() if isinstance(of, property)]
-    found = {name: getattr(self, name) for name in names}
-    return {name: of.tolist() if isinstance(of, np.ndarray) else of for name, of in found.items()}
+    return {name: getattr(self, name) for name, of in vars(type(self)).items() if isinstance(of, property)}
 
 
 def _show(self: Any) -> str:
-    return f"{type(self).__name__}({', '.join(f'{key}={of!r}' for key, of in _contents(self).items())})"
+    lists = {key: of.tolist() if isinstance(of, np.ndarray) else of for key, of in _contents(self).items()}
+    return f"{type(self).__name__}({', '.join(f'{key}={of!r}' for key, of in lists.items())})"
 
 
 def _same_bits(self: Any, other: object) -> bool:
@@ -214,7 +207,7 @@ def _same_bits(self: Any, other: object) -> bool:
 
 def _bits(of: Any) -> list[Any]:
     """All values, numbers as their bytes: NaN equals itself."""
-    values = (getattr(of, name) for name, each in vars(type(of)).items() if isinstance(each, property))
+    values = _contents(of).values()
     return [np.asarray(each).tobytes() if isinstance(each, (float, np.ndarray)) else each for each in values]
 
 

@@ -13,7 +13,7 @@ from passive_haptics.arrays import Array, Integers, Numbers, Records, Rows
 from passive_haptics.catalogue_values import LISTS, catalogue_value, law
 from passive_haptics.progress import progress_line
 from passive_haptics.results import displayable_force, display_class, status
-from passive_haptics.values import expect, with_suggestions
+from passive_haptics.values import expect
 
 MAX_PLACES = 100_000_000
 """Rows of a design map."""
@@ -100,19 +100,9 @@ class mechanism(catalogue_value):
         """m, the number of brakes."""
         return int(self._held.sizes()[2])
 
-    @with_suggestions
-    def brakes(
-        self,
-        torque_limit: Optional[Limits] = None,
-        torque_lower: Optional[Limits] = None,
-        torque_upper: Optional[Limits] = None,
-        rate_dead_band: Optional[Limits] = None,
-        torque_dead_band: Optional[Limits] = None,
-        time_constant: Optional[Limits] = None,
-    ) -> Brakes:
-        """The brakes of this device, see the class brakes."""
-        given = {key: of for key, of in locals().items() if key != "self"}
-        return Brakes(**given, count=self.brake_count)
+    def brakes(self, torque_limit: Optional[Limits] = None, **others: Optional[Limits]) -> Brakes:
+        """The brakes of this device, with the parameters of the class brakes."""
+        return Brakes(torque_limit, **others, count=self.brake_count)
 
     def _brakes(self, given: Optional[Brakes], unlimited: bool = False) -> Any:
         """Brakes that must be of this device; without any the defaults, or brakes without limits."""
@@ -131,14 +121,6 @@ class mechanism(catalogue_value):
     def jacobian(self, q: Union[Numbers, Rows]) -> Array:
         """J in v = J qd [m/rad or 1]: d x n, or N x d x n."""
         of: Array = self._held.jacobian(q)
-        return of
-
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s] at joint rates qd."""
-        rates = np.asarray(qd, dtype=float)
-        if rates.shape != (self.dof,):
-            raise ValueError(f"passive_haptics: shape of qd = {rates.shape}, expected ({self.dof},)")
-        of: Array = self.jacobian(q) @ rates
         return of
 
     def brake_rates(self, q: Union[Numbers, Rows], qd: Union[Numbers, Rows]) -> Array:
@@ -254,24 +236,6 @@ class mechanism(catalogue_value):
             )
         return displayable_force(outcome, display, *others)
 
-    def sink_slope(
-        self,
-        q: Numbers,
-        direction: Numbers,
-        normal: Numbers,
-        brakes: Optional[Brakes] = None,
-        push: float = 1.0,
-        *,
-        motor_limit: Optional[Numbers] = None,
-    ) -> tuple[float, status]:
-        """The minimum slope [1], metres into a wall for each metre along it, at which the brakes resist a push [N] while a
-        hand leads the end effector in this direction; infinite if they do at none.
-
-        Brakes are without limits if none are given. motor_limit: the torque of a motor on each brake's axis [N m].
-        """
-        found: tuple[float, status] = self._held.sink_slope(q, direction, normal, self._brakes(brakes, True), push, motor_limit)
-        return found
-
     def sink_depth(
         self,
         q: Rows,
@@ -279,15 +243,13 @@ class mechanism(catalogue_value):
         normal: Union[Numbers, Rows],
         brakes: Optional[Brakes] = None,
         push: float = 1.0,
-        *,
-        motor_limit: Optional[Numbers] = None,
     ) -> float:
         """The depth [m] to which a hand that pushes [N] sinks on a path, at least.
 
         q: joint positions at the middles of N >= 2 equal parts of the path, N rows; direction and normal of the wall
         there: N rows, or one vector for all.
         """
-        return float(self._held.sink_depth(q, direction, normal, self._brakes(brakes, True), push, motor_limit))
+        return float(self._held.sink_depth(q, direction, normal, self._brakes(brakes, True), push))
 
     def design_map(
         self,
@@ -296,8 +258,6 @@ class mechanism(catalogue_value):
         normal: Union[Numbers, Rows],
         brakes: Optional[Brakes] = None,
         push: float = 1.0,
-        *,
-        motor_limit: Optional[Numbers] = None,
     ) -> Records:
         """The figures of the device at N places of a task, an array with named fields. Ctrl-C ends it.
 
@@ -318,28 +278,8 @@ class mechanism(catalogue_value):
             raise ValueError("passive_haptics: push [N] = nan, expected a number")
         rows: Records = np.empty(places[0], FIGURES)
         with progress_line(places[0], "places") as shown:
-            self._held.design_map(q, direction, normal, self._brakes(brakes, True), push, motor_limit, rows, shown.reach)
+            self._held.design_map(q, direction, normal, self._brakes(brakes, True), push, rows, shown)
         return rows
-
-    def braked_wall_at(
-        self,
-        q: Numbers,
-        velocity: Numbers,
-        normal: Numbers,
-        brakes: Brakes,
-        residual_torque: Numbers,
-        resolution: Numbers,
-        hand_mass: float,
-    ) -> Any:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of().
-
-        residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]. Raises
-        TypeError unless the mechanism has inertia and as many joints as task dimensions.
-        """
-        from passive_haptics import catalogue
-
-        found = self._held.braked_wall_at(q, velocity, normal, self._brakes(brakes), residual_torque, resolution, hand_mass)
-        return catalogue.braked_wall(**found.parameters())
 
 
 class serial_chain(mechanism):

@@ -1,56 +1,38 @@
-"""A line on stderr that says how far a long call is."""
+"""A line on stderr that shows how far a long call is."""
 
 from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 AFTER = 2.0
 """A call that takes longer shows its progress [s]."""
 BETWEEN = 0.2
-"""Between two updates of reach() [s]."""
+"""Between two updates [s]."""
 
 
-class progress_line:
-    """How many of so many things are completed, and how long the others will take, where it is wanted."""
+@contextmanager
+def progress_line(total: int, of: str, wanted: bool | None = None) -> Iterator[Callable[[int], None]]:
+    """A function that takes the number of completed things of this total, such as "experiments", and shows it
+    with the time that the others will take. wanted: None: if stderr is a terminal."""
+    is_wanted = sys.stderr.isatty() if wanted is None else wanted
+    start, latest, width = time.monotonic(), 0.0, 0
 
-    def __init__(self, total: int, of: str, wanted: bool | None = None) -> None:
-        """wanted: None: where stderr is a terminal. of: what they are, such as "experiments"."""
-        self._total, self._of, self._done = total, of, 0
-        self._wanted = sys.stderr.isatty() if wanted is None else wanted
-        self._start = time.monotonic()
-        self._width, self._shown = 0, self._start
-
-    def add(self, count: int) -> None:
-        """So many more are completed."""
-        self._done += count
-        self.show()
-
-    def reach(self, done: int) -> None:
-        """So many are completed now; shows it a few times a second at most."""
-        self._done = done
-        if time.monotonic() - self._shown > BETWEEN:
-            self.show()
-
-    def __enter__(self) -> progress_line:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def show(self) -> None:
-        """Prints the line where the call takes long enough."""
-        self._shown = time.monotonic()
-        passed = self._shown - self._start
-        if not self._wanted or passed < AFTER:
+    def reach(done: int) -> None:
+        nonlocal latest, width
+        now = time.monotonic()
+        if not is_wanted or now - start < AFTER or (now - latest < BETWEEN and done < total):
             return
-        text = f"{self._done} of {self._total} {self._of}"
-        if self._done:
-            text += f", {passed * (self._total - self._done) / self._done:.0f} s left"
-        print("\r" + text.ljust(self._width), end="", file=sys.stderr, flush=True)
-        self._width = len(text)
+        text = f"{done} of {total} {of}"
+        if done:
+            text += f", {(now - start) * (total - done) / done:.0f} s left"
+        print("\r" + text.ljust(width), end="", file=sys.stderr, flush=True)
+        latest, width = now, len(text)
 
-    def close(self) -> None:
-        """Ends the line."""
-        if self._width:
+    try:
+        yield reach
+    finally:
+        if width:
             print(file=sys.stderr)

@@ -29,8 +29,7 @@ class python_mechanism(mechanism):
     mass_matrix, bias_torque, bias_acceleration : functions of q, of q and qd, of q and qd
         Inertia, all three or none: M, dof x dof [kg m^2, kg m or kg], c in M qdd + c [N m or N] and Jd qd [m/s^2].
     check : bool
-        The functions are compared with each other at the first q: a jacobian that is not the derivative of position (1e-4),
-        or a mass matrix that is not symmetric and positive definite, is a ValueError with the entry.
+        At the first q the jacobian is compared with position: an entry that is not its derivative (1e-4) is a ValueError.
     """
 
     _name = "python_mechanism"

@@ -12,8 +12,15 @@ from passive_haptics import _native
 from passive_haptics.arrays import Array, Integers
 
 
-class status(enum.IntEnum):
-    """What became of a calculation."""
+class _in_words(enum.IntEnum):
+    @property
+    def text(self) -> str:
+        """The value in words."""
+        return _native.text_of(type(self).__name__, self.value)
+
+
+class status(_in_words):
+    """The outcome of a calculation."""
 
     ok = 0
     state_not_finite = 1
@@ -28,13 +35,8 @@ class status(enum.IntEnum):
     scene_stale = 10
     time_not_rising = 11
 
-    @property
-    def text(self) -> str:
-        """The status in words."""
-        return _native.status_text(self.value)
 
-
-class power_class(enum.IntEnum):
+class power_class(_in_words):
     """Where the desired force lies by power (section 2 of the paper)."""
 
     none = 0
@@ -42,23 +44,13 @@ class power_class(enum.IntEnum):
     passive_1 = 2
     passive_2 = 3
 
-    @property
-    def text(self) -> str:
-        """The class in words."""
-        return _native.power_text(self.value)
 
-
-class display_class(enum.IntEnum):
+class display_class(_in_words):
     """How the desired force is displayed."""
 
     none = 0
     approximate = 1
     exact = 2
-
-    @property
-    def text(self) -> str:
-        """The class in words."""
-        return _native.display_text(self.value)
 
 
 class contact_report(typing.NamedTuple):
@@ -96,33 +88,13 @@ class displayable_force(typing.NamedTuple):
         return all(np.array_equal(a, b, equal_nan=True) for a, b in zip(self, other))
 
 
-class wall_limits(typing.NamedTuple):
-    """What a wall made of brakes can be."""
-
-    depth: float
-    """Smallest depth that can be held [m]; infinite where the brakes do not stop the hand."""
-    rigid_depth: float
-    """Largest depth under force approximation, for a wall of any stiffness [m]."""
-    stiffness: float
-    """Largest useful stiffness under force approximation [N/m]."""
-    drift: float
-    """Least noticeable drift off the wall or into it [m/s]."""
-    pushed_out: bool
-    """The residual torques alone push out a hand that slides along the wall."""
-
-
-class run_end(enum.IntEnum):
+class run_end(_in_words):
     """How a run along a wall ended."""
 
     time_over = 0
     arrived = 1
     too_deep = 2
     not_finite = 3
-
-    @property
-    def text(self) -> str:
-        """The end in words."""
-        return _native.run_end_text(self.value)
 
 
 class contact_metrics(typing.NamedTuple):

@@ -25,8 +25,8 @@ class mesh(value):
     vertices : N x d [m]
         2 numbers in a row in the plane, 3 in space.
     facets : M x d whole numbers
-        Indices of vertices. The corners of a triangle run counterclockwise seen from the free side; of a segment the
-        free side is on its right.
+        Indices of vertices. The corners of a triangle run counterclockwise seen from the free side; of a
+        segment the free side is on its right.
 
     Raises
     ------
@@ -35,23 +35,7 @@ class mesh(value):
     """
 
     def __init__(self, vertices: Rows, facets: Rows) -> None:
-        points = _table(vertices, "vertices", "N rows of 2 numbers (in the plane) or 3 (in space)")
-        corners = _table(facets, "facets", "M rows of indices of vertices")
-        if points.dtype.kind not in "fiu":
-            raise TypeError(
-                f"passive_haptics: vertices has dtype {points.dtype}, expected real numbers [m]: vertices.astype(float)"
-            )
-        if corners.dtype.kind not in "iu":
-            raise TypeError(f"passive_haptics: facets has dtype {corners.dtype}, expected whole numbers: facets.astype(int)")
-        if points.shape[1] not in (2, 3):
-            raise ValueError(f"passive_haptics: shape of vertices = {points.shape}, expected (N, 2) or (N, 3)")
-        if corners.shape[1] != points.shape[1]:
-            raise ValueError(
-                f"passive_haptics: shape of facets = {corners.shape}, expected (M, {points.shape[1]}), "
-                + ("the two ends of each segment" if points.shape[1] == 2 else "the three corners of each triangle")
-            )
-        large = np.iinfo(np.int64).max
-        self._set(_native.mesh(points, np.minimum(corners, large).astype(np.int64) if corners.dtype.kind == "u" else corners))
+        self._held = _native.mesh(vertices, facets)
 
     def _set(self, held: Any) -> mesh:
         self._held = held
@@ -73,26 +57,6 @@ class mesh(value):
     def dimension(self) -> int:
         """2 in the plane, 3 in space."""
         return int(self.vertices.shape[1])
-
-    @property
-    def closed(self) -> bool:
-        """True if the facets enclose their wall or their free space without a hole."""
-        return bool(self._held.closed())
-
-    @property
-    def hole(self) -> str:
-        """Why it is not closed, by vertices and facets; "" if it is."""
-        return str(self._held.hole())
-
-    @property
-    def turned_edges(self) -> int:
-        """Edges (in the plane: vertices) of two facets of which one faces the wrong side."""
-        return int(self._held.turned_edges())
-
-    @property
-    def content(self) -> float:
-        """The enclosed area [m^2] or volume [m^3] of a closed mesh; < 0 if the outside is solid."""
-        return float(self._held.content())
 
     def plausibility(self, reach: float) -> str:
         """A line for each thing that looks odd beside a device of this reach [m]; "" if there is none."""
@@ -122,19 +86,6 @@ class mesh(value):
         return mesh, (self.vertices, self.facets)
 
 
-def _table(rows: Rows, name: str, expected: str) -> Any:
-    """An array of two axes."""
-    try:
-        table = np.asarray(rows)
-    except ValueError:
-        table = np.empty(0)
-    if type(rows) not in (list, tuple, np.ndarray, np.memmap):
-        raise TypeError(f"passive_haptics: {name} = {rows!r} ({type(rows).__name__}), expected a numpy.ndarray, {expected}")
-    if table.ndim != 2:
-        raise ValueError(f"passive_haptics: shape of {name} = {table.shape}, expected {expected}")
-    return table
-
-
 def _read(form: str, path: Path, metres_per_unit: float) -> tuple[mesh, str]:
     try:
         name = os.fsencode(path)
@@ -147,7 +98,8 @@ def _read(form: str, path: Path, metres_per_unit: float) -> tuple[mesh, str]:
 
 
 def read_stl(path: Path, metres_per_unit: float = 1.0) -> tuple[mesh, str]:
-    """The mesh of an STL file, in text or binary, and remarks on what of the file is not in it; "" if there is none.
+    """The mesh of an STL file, in text or binary, and remarks on what of the file is not in it; "" if there
+    is none.
 
     metres_per_unit: of the file's numbers, 1e-3 for millimetres. Raises ValueError with file and line.
     """
@@ -167,8 +119,8 @@ def read_ply(path: Path, metres_per_unit: float = 1.0) -> tuple[mesh, str]:
 class mesh_solid(shape):
     """The solid within a closed mesh whose normals point outward.
 
-    In a scene of one wall it has one contact; a handle that is pushed more than half through a thin wall comes out at the
-    other side.
+    In a scene of one wall it has one contact; a handle that is pushed more than half through a thin wall
+    comes out at the other side.
     """
 
     _name = "mesh_solid"
@@ -179,7 +131,8 @@ class mesh_solid(shape):
 
 
 class mesh_surface(value):
-    """A closed or an open mesh that stops what comes from its front, at any depth. A scene that has one is a world.
+    """A closed or an open mesh that stops what comes from its front, at any depth. A scene that has one is a
+    world.
 
     Parameters
     ----------
@@ -223,94 +176,93 @@ _shape = shape
 class _any_scene(value):
     """What all scenes have."""
 
-    walls: tuple[wall, ...]
-    """The walls, numbered from 0 in their order."""
-    effects: tuple[effect, ...] = ()
-    """The effects in addition to the walls."""
-
-    def _set(self, walls: collections.abc.Iterable[Any], is_world: bool) -> None:
-        name = type(self).__name__
-        self.walls = tuple(walls)
-        if not self.walls:
-            raise TypeError(f"passive_haptics: a {name} needs a wall, wall(shape, stiffness)")
-        for i, each in enumerate(self.walls):
-            expect(each, wall, f"wall {i} of a {name}", "a wall: put each shape into one, wall(shape)")
-            if each.dimension != self.walls[0].dimension:
-                raise ValueError(
-                    f"passive_haptics: wall {i} of a {name} has dimension {each.dimension}, expected "
-                    f"{self.walls[0].dimension}, as wall 0 has"
-                )
-        self._held = _native.scene([each._held for each in self.walls], is_world)
-
     @property
     def dimension(self) -> int:
         """2 in the plane, 3 in space."""
-        return self.walls[0].dimension
+        return int(self._held.dimension())
+
+
+def _scene_of(kind: str, walls: collections.abc.Sequence[Any], is_world: bool) -> Any:
+    if not walls:
+        raise TypeError(f"passive_haptics: a {kind} needs a wall, wall(shape, stiffness)")
+    for i, each in enumerate(walls):
+        expect(each, wall, f"wall {i} of a {kind}", "a wall: put each shape into one, wall(shape)")
+        if each.dimension != walls[0].dimension:
+            raise ValueError(
+                f"passive_haptics: wall {i} of a {kind} has dimension {each.dimension}, expected "
+                f"{walls[0].dimension}, as wall 0 has"
+            )
+    return _native.scene([each._held for each in walls], is_world)
 
 
 class scene(_any_scene):
     """Walls, numbered from 0 in their order. Several walls, or a mesh_surface, are a world."""
 
     def __init__(self, *walls: wall) -> None:
-        self._set(walls, False)
-        self._parameters = {"walls": self.walls}
+        self._held = _scene_of(type(self).__name__, walls, False)
+        self._parameters = {"walls": walls}
 
     def __repr__(self) -> str:
-        return f"scene({', '.join(map(repr, self.walls))})"
+        return f"scene({', '.join(map(repr, self._parameters['walls']))})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), tuple(self._parameters["walls"])
+        return type(self), self._parameters["walls"]
 
 
 class world(_any_scene):
     """Many walls, of which a cycle looks at those that the handle can have reached since it last looked.
 
-    At most d + 1 contacts, those of the largest forces. With a mesh among them all walls are felt as one surface.
+    At most d + 1 contacts, those of the largest forces. With a mesh among them all walls are felt as one
+    surface.
     """
 
     def __init__(self, walls: collections.abc.Sequence[wall]) -> None:
         if not isinstance(walls, (list, tuple)):
             raise TypeError(f"passive_haptics: walls = {walls!r} ({type(walls).__name__}), expected a list of walls")
-        self._set(walls, True)
+        self._held = _scene_of(type(self).__name__, walls, True)
         self._parameters = {"walls": list(walls)}
 
 
 class held_scene(_any_scene):
-    """A scene that is sampled once a period [s] and held between: a virtual environment that is slower than the loop of
-    the brakes. 0 samples every time."""
+    """A scene that is sampled once a period [s] and held between: a virtual environment that is slower than
+    the loop of the brakes. 0 samples every time."""
 
     def __init__(self, scene: _any_scene, period: float) -> None:
         of = expect(scene, _any_scene, "scene", "a scene: held_scene(scene(wall(shape, stiffness)), period)")
         if isinstance(of, held_scene):
-            raise TypeError("passive_haptics: scene of a held_scene is a held_scene itself, expected one that is not held")
-        if of.effects:
-            raise TypeError("passive_haptics: scene of a held_scene has effects, expected with_effects(held_scene(...), ...)")
-        self.walls = of.walls
+            raise TypeError("passive_haptics: scene of a held_scene is a held_scene, expected one that is not held")
+        self._held = _native.held_scene(of._held, number(period, "period"))
         self._parameters = {"scene": of, "period": number(period, "period")}
-        self._held = _native.held_scene(of._held, period)
 
 
 class with_effects(_any_scene):
     """A scene with effects in addition to its walls.
 
-    Walls come first: what a cycle displays of them does not depend on the effects, except for the drag along them. Effects
-    get the force that remains. They need direct_control, and a mechanism with as many joints and brakes as task dimensions.
+    Walls come first: what a cycle displays of them does not depend on the effects, except for the drag along
+    them. Effects get the force that remains. They need direct_control, and a mechanism with as many joints
+    and brakes as task dimensions.
     """
 
     def __init__(self, scene: _any_scene, *effects: effect) -> None:
         of = expect(scene, _any_scene, "scene", "a scene: with_effects(scene(wall(shape, stiffness)), effect, ...)")
-        if of.effects:
-            raise TypeError("passive_haptics: scene of with_effects has effects itself, expected all effects in one with_effects")
         if not effects:
             raise TypeError("passive_haptics: with_effects needs an effect: with_effects(scene, effect, ...)")
         for i, each in enumerate(effects):
             expect(each, effect, f"effect {i} of a scene", "an effect such as viscous_field(viscosity)")
-        self.walls, self.effects = of.walls, effects
-        self._parameters = {"scene": of, "effects": effects}
         self._held = _native.with_effects(of._held, [each._held for each in effects])
+        self._parameters = {"scene": of, "effects": effects}
 
     def __repr__(self) -> str:
-        return f"with_effects({', '.join(map(repr, (self._parameters['scene'], *self.effects)))})"
+        return f"with_effects({', '.join(map(repr, self.__reduce__()[1]))})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self._parameters["scene"], *self.effects)
+        return type(self), (self._parameters["scene"], *self._parameters["effects"])
+
+
+class scene_of_device(_any_scene):
+    """Walls and effects of a device, by the text of its device file (docs/guide/device.md): walls that move
+    and height fields, too."""
+
+    def __init__(self, text: str) -> None:
+        self._held = _native.scene_of_device(text)
+        self._parameters = {"text": text}

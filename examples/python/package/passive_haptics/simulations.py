@@ -9,12 +9,12 @@ import numpy as np
 
 from passive_haptics import _native
 from passive_haptics.arrays import Array, Numbers, Records
-from passive_haptics.catalogue import braked_wall, coulomb_brake, wall_following_parameters
+from passive_haptics.catalogue import coulomb_brake, following_hand, wall_following_parameters
 from passive_haptics.catalogue_values import brake_model, shape
 from passive_haptics.controllers import controller
 from passive_haptics.devices import brakes, mechanism
 from passive_haptics.progress import progress_line
-from passive_haptics.results import contact_metrics, wall_limits
+from passive_haptics.results import contact_metrics
 from passive_haptics.values import expect, number, value
 
 
@@ -77,11 +77,6 @@ class simulated_device(value):
         return self._now("velocity")
 
     @property
-    def rates(self) -> Array:
-        """Rates of the brakes [rad/s or m/s]."""
-        return self._now("rates")
-
-    @property
     def sensed_force(self) -> Array:
         """Force of the hand on the handle in the last step [N]."""
         return self._now("sensed_force")
@@ -90,17 +85,6 @@ class simulated_device(value):
     def brake_torque(self) -> Array:
         """Mean torque of the brakes in the last step [N m]."""
         return self._now("brake_torque")
-
-    @property
-    def brake_force(self) -> Array:
-        """The force at the handle that does what these torques do [N]."""
-        return self._now("brake_force")
-
-    @property
-    def energy(self) -> dict[str, float]:
-        """Where the energy came from and went since the motion was set [J], and the maximum power of a brake [W]."""
-        found: dict[str, float] = self._held.energy()
-        return found
 
     def _now(self, name: str) -> Array:
         of: Array = getattr(self._held, name)()
@@ -129,60 +113,6 @@ def _models(device: mechanism, given: Any) -> list[Any]:
             "mechanism"
         )
     return [expect(each, brake_model, f"brakes[{i}]", "a brake model such as coulomb_brake()") for i, each in enumerate(given)]
-
-
-class following_hand(value):
-    """A hand that moves along a wall in a direction and presses on it.
-
-    Parameters
-    ----------
-    direction : d numbers
-        Along the wall, of any length > 0.
-    start : d numbers [m]
-        At time 0.
-    speed [m/s], stiffness [N/m], damping [N s/m] : float
-        Intended motion along the wall.
-    push [N], normal_stiffness [N/m], target_depth [m], normal_damping [N s/m] : float
-        Force into the wall at target_depth, and how it falls with the depth and its rate.
-    mass : float [kg]
-        What moves with the handle.
-    """
-
-    def __init__(
-        self,
-        direction: Numbers,
-        start: Numbers,
-        speed: float = 0.05,
-        stiffness: float = 200.0,
-        damping: float = 20.0,
-        push: float = 2.0,
-        normal_stiffness: float = 0.0,
-        target_depth: float = 0.0,
-        normal_damping: float = 20.0,
-        mass: float = 0.5,
-    ) -> None:
-        given = {key: of for key, of in locals().items() if key not in ("self", "direction", "start", "__class__")}
-        self._held = _native.named("table", "following_hand", 0, given)
-        way, first = np.array(direction, dtype=float), np.array(start, dtype=float)
-        if first.shape != way.shape or way.shape not in ((2,), (3,)):
-            raise ValueError(f"passive_haptics: length of start = {first.size}, expected {way.size}, as direction has, 2 or 3")
-        if not 0 < np.linalg.norm(way) < np.inf:
-            raise ValueError(
-                f"passive_haptics: direction of a following_hand = {way.tolist()}, expected a direction of finite length > 0"
-            )
-        self._parameters = {"direction": way.tolist(), "start": first.tolist(), **self._held.parameters()}
-
-    def force(self, time: float, position: Numbers, velocity: Numbers, normal: Numbers, depth: float) -> Array:
-        """Force of the muscles [N] at a time [s], with the handle at a position [m] with a velocity [m/s], and at a depth
-        [m] in a wall of this normal."""
-        p = self._parameters
-        of: Array = _native.hand_force(self._held, p["direction"], p["start"], time, position, velocity, normal, depth)
-        return of
-
-    @property
-    def mass(self) -> float:
-        """What moves with the handle [kg]."""
-        return float(self._parameters["mass"])
 
 
 def follow_wall(
@@ -224,7 +154,7 @@ def follow_wall(
     with progress_line(round(1e3 * parameters.parameters["max_duration"]), "ms at most") as shown:
         metrics, numbers = _native.follow_wall(
             of._held, device._held, controller._held, shape._held, hand._held, p["direction"], p["start"], parameters._held,
-            record, lambda time: shown.reach(round(1e3 * time)),
+            record, lambda time: shown(round(1e3 * time)),
         )  # fmt: skip
     widths = {"position": d, "velocity": d, "rates": m, "brake_torque": m, "brake_power": m, "hand_force": d}
     widths |= {"brake_force": d, "capacity": m}
@@ -236,9 +166,3 @@ def follow_wall(
 
 _controller = controller
 _shape = shape
-
-
-def limits_of(wall: braked_wall) -> wall_limits:
-    """What a wall made of brakes can be, as mechanism.braked_wall_at() returns it."""
-    expect(wall, braked_wall, "wall", "a braked_wall, as braked_wall_at() returns")
-    return wall_limits(*_native.limits_of(wall._held))

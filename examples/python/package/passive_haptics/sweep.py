@@ -1,26 +1,23 @@
-"""Many experiments, each a function of its seed, or of another item: over the processors of a machine, or over a cluster.
-
-    from passive_haptics.sweep import sweep
-    results = sweep(experiment, range(10_000), file="results.sweep")
-"""
+"""Sweeps: an experiment for many items, by processes of this machine or any executor of
+concurrent.futures."""
 
 from __future__ import annotations
 
 import collections.abc
-import functools
+import errno
 import operator
+import os
 import pickle
+import sqlite3
 from concurrent.futures import Executor
-from contextlib import ExitStack, closing
-from typing import Any, TypeVar, Union
+from contextlib import closing, contextmanager
+from typing import Any, TypeVar
 
+from passive_haptics.arrays import Path
 from passive_haptics.progress import progress_line
-from passive_haptics.record_file import Path, record_file
-from passive_haptics.tasks import Experiment, completed_outcomes
+from passive_haptics.tasks import Experiment, completed_outcomes, run_task
 
 Result = TypeVar("Result")
-Key = Union[int, bytes]
-"""An integer, or another item pickled."""
 
 
 class sweep_error(RuntimeError):
@@ -29,10 +26,9 @@ class sweep_error(RuntimeError):
     def __init__(self, message: str, results: dict[Any, Any], failures: dict[Any, str]) -> None:
         super().__init__(message, results, failures)
         self.results = results
-        """Seed to result, of the experiments that did not fail; of another item that item, or its number if it has no
-        hash."""
+        """Item to result, of the experiments that did not fail; of an item without a hash its number."""
         self.failures = failures
-        """Seed to the text of its exception, in the order of the seeds."""
+        """Item to the text of its exception, in the order of the items."""
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -47,117 +43,129 @@ def sweep(
     file: Path | None = None,
     progress: bool | None = None,
 ) -> list[Result]:
-    """The results function(item) in the order of the items, the same bytes for every executor and every
-    split.
+    """The results function(item) in the order of the items, the same bytes for each executor and each split.
 
-    function: takes an item, and must depend on nothing else. It and its results can be pickled. An
-    experiment that takes longer than some 10 s deserves a task of its own, one under 1 ms more than 100 a
-    task.
-    items: distinct integers, such as seeds, or other values that can be pickled, such as tuples of parameters.
-    executor: any of concurrent.futures, for instance dask.distributed.Client(...).get_executor() or
-    mpi4py.futures.MPIPoolExecutor(). None: a process for each processor that this one may use.
-    file: keeps the results of finished tasks. After an interruption, or with more items, a sweep with this
-    file runs what is missing. Before that it runs one experiment of the file again, and throws ValueError if
-    that result is now another: the function has changed. Reading a file runs what it says (pickle): trust its
-    source.
-    progress: None: shown where stderr is a terminal and the sweep takes over 2 s.
+    Parameters
+    ----------
+    function
+        Takes an item, and depends on nothing else. It and its results can be pickled.
+    items
+        Distinct integers, such as seeds, or other values that can be pickled, such as tuples of parameters.
+    executor : concurrent.futures.Executor
+        Such as dask.distributed.Client(...).get_executor() or mpi4py.futures.MPIPoolExecutor(); None: a
+        process for each processor that this one may use.
+    experiments_per_task : int
+        1 of experiments that take longer than some 10 s, more than 100 of those under 1 ms.
+    file
+        A database of SQLite with the results of finished tasks. A sweep with this file, after an interruption
+        or with more items, runs one experiment of the file again, and then what is missing. Reading it can
+        run code (pickle): trust its source.
+    progress : bool
+        None: shown if stderr is a terminal and the sweep takes over 2 s.
 
-    Throws sweep_error once all experiments have run, if some of them failed: it names their items and holds
-    the results of the others. A process that dies is a failure of the one experiment that ended it, under an
-    executor of one's own of all experiments that this executor lost. Throws ValueError or TypeError for items
-    that are not as above.
+    Raises
+    ------
+    sweep_error
+        Once all experiments have run, if some failed. A process that dies is a failure of the one experiment
+        that ended it; under an executor of your own, of all experiments that this executor lost.
+    ValueError
+        If items are not distinct, the function has another result now than in the file, or the file is of
+        another kind.
+    BlockingIOError
+        If another sweep uses the file.
     """
     order = _distinct(items)
-    of_key = functools.partial(_run, function)
     if experiments_per_task < 1:
-        raise ValueError(f"passive_haptics: experiments_per_task = {experiments_per_task}, expected 1 or more")
-    known: dict[Key, bytes] = {}
-    failures: dict[Key, str] = {}
-    with ExitStack() as stack:
-        store = stack.enter_context(record_file(file)) if file is not None else None
-        if store is not None:
-            for record in store.records:
-                known.update(pickle.loads(record))
-            _require_unchanged(of_key, [key for key in order if key in known][:1], known, executor, file)
-        missing = [key for key in order if key not in known]
-        tasks = [missing[i : i + experiments_per_task] for i in range(0, len(missing), experiments_per_task)]
-        shown = progress_line(len(missing), "experiments", progress)
-        with closing(completed_outcomes(of_key, tasks, executor, shown)) as completed, closing(shown):
+        text = f"passive_haptics: experiments_per_task = {experiments_per_task}, expected 1 or more"
+        raise ValueError(text)
+    failures: dict[bytes, str] = {}
+    with _results_in(file) as stored:
+        known = dict(stored.execute("SELECT item, result FROM results"))
+        _require_unchanged(function, next((item for item in order if item in known), None), known, file)
+        before = len(known)
+        missing = [item for item in order if item not in known]
+        starts = range(0, len(missing), experiments_per_task)
+        tasks = [tuple(missing[i : i + experiments_per_task]) for i in starts]
+        completed = completed_outcomes(function, tasks, executor)
+        with closing(completed), progress_line(len(missing), "experiments", progress) as shown:
             for outcomes in completed:
-                new = {outcome.seed: outcome.result for outcome in outcomes if outcome.result is not None}
-                if store is not None and new:
-                    store.append(pickle.dumps(new))
+                new = {of.item: of.result for of in outcomes if of.result is not None}
+                with stored:
+                    stored.executemany("INSERT INTO results VALUES (?, ?)", new.items())
                 known.update(new)
-                failures.update({outcome.seed: outcome.failure for outcome in outcomes if outcome.result is None})
+                failures.update({of.item: of.failure for of in outcomes if of.result is None})
+                shown(len(known) + len(failures) - before)
     if failures:
         raise _error_of(order, known, failures)
-    return [pickle.loads(known[key]) for key in order]
+    return [pickle.loads(known[item]) for item in order]
 
 
-def _distinct(items: collections.abc.Iterable[Any]) -> list[Key]:
-    """The keys of the items; throws TypeError and ValueError."""
-    order: dict[Key, None] = {}
+def _distinct(items: collections.abc.Iterable[Any]) -> list[bytes]:
+    """The items, pickled; integers of all types alike."""
+    order: dict[bytes, None] = {}
     for item in items:
-        key: Key
         try:
-            key = operator.index(item)
-        except TypeError:
-            try:
-                key = pickle.dumps(item, protocol=4)
-            except Exception as error:
-                raise TypeError(f"passive_haptics: item = {item!r}, expected one that can be pickled: {error}") from None
-        if key in order:
-            raise ValueError(f"passive_haptics: {_text(key)} is given twice, expected distinct items")
-        order[key] = None
+            pickled = pickle.dumps(operator.index(item) if hasattr(item, "__index__") else item, protocol=4)
+        except Exception as error:
+            text = f"passive_haptics: item = {item!r}, expected one that can be pickled: {error}"
+            raise TypeError(text) from None
+        if pickled in order:
+            raise ValueError(f"passive_haptics: item {item!r} is given twice, expected distinct items")
+        order[pickled] = None
     return list(order)
 
 
-def _item(key: Key) -> Any:
-    return pickle.loads(key) if isinstance(key, bytes) else key
-
-
-def _text(key: Key) -> str:
-    return f"item {_item(key)!r}" if isinstance(key, bytes) else f"seed {key}"
-
-
-def _run(function: collections.abc.Callable[[Any], Any], key: Key) -> Any:
-    """The experiment of a key, in the process that runs it."""
-    return function(_item(key))
+@contextmanager
+def _results_in(file: Path | None) -> collections.abc.Iterator[sqlite3.Connection]:
+    """The table of results in a file, or in memory: locked for all others until the end."""
+    name = ":memory:" if file is None else os.fspath(file)
+    with closing(sqlite3.connect(name, timeout=0)) as results:
+        try:
+            results.execute("PRAGMA locking_mode = EXCLUSIVE")
+            results.execute("BEGIN EXCLUSIVE")
+            results.execute("CREATE TABLE IF NOT EXISTS results (item BLOB PRIMARY KEY, result BLOB)")
+            results.commit()
+        except sqlite3.OperationalError as error:
+            if "locked" not in str(error):
+                raise
+            text = f"passive_haptics: file = {name} is in use, expected one that no other sweep writes"
+            raise BlockingIOError(errno.EAGAIN, text) from None
+        except sqlite3.DatabaseError as error:
+            text = f"passive_haptics: file = {name}: {error}, expected a new file or one of a sweep"
+            raise ValueError(text) from None
+        yield results
 
 
 def _require_unchanged(
-    function: Experiment,
-    keys: list[Key],
-    known: dict[Key, bytes],
-    executor: Executor | None,
-    file: Path | None,
+    function: Experiment, item: bytes | None, known: dict[bytes, bytes], file: Path | None
 ) -> None:
-    """Throws ValueError if the function now has other results at these keys than the file."""
-    shown = progress_line(len(keys), "experiments", wanted=False)
-    for outcomes in completed_outcomes(function, [keys] if keys else [], executor, shown):
-        for key, result, failure in outcomes:
-            if result != known[key]:
-                now = f"fails now:\n{failure}" if failure else "has another result now"
-                raise ValueError(
-                    f"passive_haptics: file = {file}: the experiment of {_text(key)} {now}. The function has changed, "
-                    "or depends on more than its item. Name a new file, or remove this one."
-                )
+    """Throws ValueError if the function now has another result of this item than the file."""
+    if item is None:
+        return
+    ((_, result, failure),) = run_task(function, (item,))
+    if result != known[item]:
+        now = f"fails now:\n{failure}" if failure else "has another result now"
+        raise ValueError(
+            f"passive_haptics: file = {file}: the experiment of item {pickle.loads(item)!r} {now}. The function "
+            "has changed, or depends on more than its item. Name a new file, or remove this one."
+        )
 
 
-def _error_of(order: list[Key], known: dict[Key, bytes], failures: dict[Key, str]) -> sweep_error:
-    def name(key: Key) -> Any:
-        item = _item(key)
+def _error_of(order: list[bytes], known: dict[bytes, bytes], failures: dict[bytes, str]) -> sweep_error:
+    def name(number: int) -> Any:
+        item = pickle.loads(order[number])
         try:
             hash(item)
         except TypeError:
-            return order.index(key)
+            return number
         return item
 
-    failed = [key for key in order if key in failures]
-    last_line = failures[failed[0]].strip().splitlines()[-1]
+    failed = [number for number, item in enumerate(order) if item in failures]
+    last_line = failures[order[failed[0]]].strip().splitlines()[-1]
     message = (
-        f"passive_haptics: {len(failed)} of {len(order)} experiments failed, the first of them with {_text(failed[0])}: "
-        f"{last_line}. See failures of this exception, and results for those of the others."
+        f"passive_haptics: {len(failed)} of {len(order)} experiments failed, the first of them with item "
+        f"{pickle.loads(order[failed[0]])!r}: {last_line}. See failures of this exception, and results for "
+        "those of the others."
     )
-    results = {name(key): pickle.loads(known[key]) for key in order if key in known}
-    return sweep_error(message, results, {name(key): failures[key] for key in failed})
+    results = {name(number): pickle.loads(known[item]) for number, item in enumerate(order) if item in known}
+    return sweep_error(message, results, {name(number): failures[order[number]] for number in failed})

@@ -3,169 +3,115 @@
 from __future__ import annotations
 
 import collections.abc
-import itertools
-import multiprocessing
+import ctypes
 import os
 import pickle
-import queue
 import signal
-import threading
-import time
 import traceback
 import typing
-from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
-from contextlib import closing, contextmanager
-from typing import Any, Optional, Union
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ProcessPoolExecutor
+from concurrent.futures import as_completed
+from typing import Any, Optional
 
-from passive_haptics.progress import progress_line
-
-PROGRESS_PERIOD = 0.25
-"""Between two updates of the progress [s]."""
-PARENT_PERIOD = 1.0
-"""How often a process of the pool looks for the one that started it [s]."""
+PR_SET_PDEATHSIG = 1
+"""Of the system's prctl(): the signal at the end of the process that started this one."""
 
 
 class outcome(typing.NamedTuple):
-    """What became of an experiment: its pickled result, or the text of its exception."""
+    """The outcome of an experiment: its pickled result, or the text of its exception."""
 
-    seed: Union[int, bytes]
+    item: bytes
     result: Optional[bytes]
     failure: str = ""
 
 
 Experiment = collections.abc.Callable[[Any], object]
-"""A function of a seed."""
-Task = collections.abc.Sequence[Union[int, bytes]]
-"""The seeds of experiments that one process runs."""
-_Completed = tuple[Task, Union[list[outcome], BaseException]]
+"""A function of an item."""
+Task = tuple[bytes, ...]
+"""Pickled items of experiments that one process runs."""
 
 
-def run_task(function: Experiment, seeds: Task) -> list[outcome]:
-    """Runs experiments in this process. Each result is pickled by itself, so that no split shows in its
-    bytes."""
+def run_task(function: Experiment, task: Task) -> list[outcome]:
+    """Runs experiments in this process. Each result is pickled by itself, so no split shows in its bytes."""
     outcomes = []
-    for seed in seeds:
+    for item in task:
         try:
-            outcomes.append(outcome(seed, pickle.dumps(function(seed), protocol=4)))
+            outcomes.append(outcome(item, pickle.dumps(function(pickle.loads(item)), protocol=4)))
         except (Exception, SystemExit):
-            outcomes.append(outcome(seed, None, traceback.format_exc()))
+            outcomes.append(outcome(item, None, traceback.format_exc()))
     return outcomes
 
 
 def completed_outcomes(
-    function: Experiment, tasks: list[list[Union[int, bytes]]], executor: Executor | None, shown: progress_line
+    function: Experiment, tasks: list[Task], executor: Executor | None
 ) -> collections.abc.Generator[list[outcome], None, None]:
     """The outcomes of tasks, as they are completed."""
-    completed = (
-        _by_processes(function, tasks, shown)
-        if executor is None
-        else _by_executor(executor, function, iter(tasks), None, shown)
-    )
-    with closing(completed):
-        for task, outcomes in completed:
-            if isinstance(outcomes, BaseException):
-                text = "".join(traceback.format_exception(type(outcomes), outcomes, outcomes.__traceback__))
-                outcomes = [outcome(seed, None, text) for seed in task]
-            shown.add(len(outcomes))
-            yield outcomes
+    if executor is None:
+        yield from _by_processes(function, tasks)
+    else:
+        for task, future in _by_executor(executor, function, tasks):
+            yield _outcomes_of(task, future)
 
 
 def _by_executor(
-    executor: Executor,
-    function: Experiment,
-    tasks: collections.abc.Iterator[Task],
-    at_once: int | None,
-    shown: progress_line,
-) -> collections.abc.Generator[_Completed, None, None]:
-    """Tasks by an executor, this number of them at once, or all. If it breaks, the tasks that have not begun
-    are left."""
-    running: dict[Future[list[outcome]], Task] = {}
-    completed: queue.SimpleQueue[Future[list[outcome]]] = queue.SimpleQueue()
-
-    def start(count: int | None) -> None:
-        for task in itertools.islice(tasks, count):
-            try:
-                future = executor.submit(run_task, function, task)
-            except Exception as error:
-                future = Future()
-                future.set_exception(error)
-            running[future] = task
-            future.add_done_callback(completed.put)
-
+    executor: Executor, function: Experiment, tasks: collections.abc.Iterable[Task]
+) -> collections.abc.Generator[tuple[Task, Future[list[outcome]]], None, None]:
+    left = {_submitted(executor, function, task): task for task in tasks}
     try:
-        start(at_once)
-        broken = False
-        while running:
-            try:
-                future = completed.get(timeout=PROGRESS_PERIOD)
-            except queue.Empty:
-                shown.show()
-                continue
-            task = running.pop(future)
-            error = RuntimeError("the task was cancelled") if future.cancelled() else future.exception()
-            broken = broken or isinstance(error, BrokenExecutor)
-            yield task, future.result() if error is None else error
-            if at_once is not None and not broken:
-                start(1)
+        for future in as_completed(left):
+            yield left.pop(future), future
     finally:
-        for future in running:
+        for future in left:
             future.cancel()
 
 
-def _by_processes(
-    function: Experiment, tasks: list[list[Union[int, bytes]]], shown: progress_line
-) -> collections.abc.Generator[_Completed, None, None]:
-    """Tasks by processes of this machine. If one of them dies, a new pool goes on, and the tasks that were
-    lost run by themselves."""
-    workers = min(len(os.sched_getaffinity(0)), len(tasks))
-    left: collections.abc.Iterator[Task] = iter(tasks)
-    lost: list[Task] = []
-    while workers > 0:
-        with _pool(workers) as pool:
-            for task, outcomes in _by_executor(pool, function, left, 2 * workers, shown):
-                if isinstance(outcomes, BrokenExecutor):
-                    lost.append(task)
-                else:
-                    yield task, outcomes
-        if not lost:
-            return
-        while lost:
-            yield from _alone(function, lost.pop(), shown)
-
-
-def _alone(function: Experiment, task: Task, shown: progress_line) -> collections.abc.Iterator[_Completed]:
-    """A task in a process of its own. If that dies, each half has one, down to the experiment that ends it."""
-    with _pool(1) as pool:
-        for _, outcomes in _by_executor(pool, function, iter([task]), 1, shown):
-            if not isinstance(outcomes, BrokenExecutor) or len(task) == 1:
-                yield task, outcomes
-                return
-    half = len(task) // 2
-    yield from _alone(function, task[:half], shown)
-    yield from _alone(function, task[half:], shown)
-
-
-@contextmanager
-def _pool(workers: int) -> collections.abc.Iterator[ProcessPoolExecutor]:
-    """Processes that end with this one."""
-    pool = ProcessPoolExecutor(workers, initializer=_follow)
+def _submitted(executor: Executor, function: Experiment, task: Task) -> Future[list[outcome]]:
     try:
-        yield pool
-    except BaseException:
-        pool.shutdown(wait=False, cancel_futures=True)
-        raise
-    pool.shutdown()
+        return executor.submit(run_task, function, task)
+    except Exception as error:  # it has broken
+        failed: Future[list[outcome]] = Future()
+        failed.set_exception(error)
+        return failed
 
 
-def _follow() -> None:
-    """Ends this process without a word at Ctrl-C, and soon after its parent has gone, even if that was
-    killed."""
+def _outcomes_of(task: Task, future: Future[list[outcome]]) -> list[outcome]:
+    error = CancelledError("the task was cancelled") if future.cancelled() else future.exception()
+    if error is None:
+        return future.result()
+    text = "".join(traceback.format_exception(type(error), error, error.__traceback__))
+    return [outcome(item, None, text) for item in task]
+
+
+def _by_processes(function: Experiment, tasks: list[Task]) -> collections.abc.Iterator[list[outcome]]:
+    """Tasks by processes of this machine. If one of them dies, the tasks that may have been its own run by
+    themselves, and a new pool goes on."""
+    left = dict.fromkeys(tasks)
+    while left:
+        workers = min(len(os.sched_getaffinity(0)), len(left))
+        with ProcessPoolExecutor(workers, initializer=_end_with_parent) as pool:
+            for task, future in _by_executor(pool, function, list(left)):
+                if not isinstance(future.exception(), BrokenExecutor):
+                    del left[task]
+                    yield _outcomes_of(task, future)
+        for task in list(left)[: 2 * workers]:
+            del left[task]
+            yield from _alone(function, task)
+
+
+def _alone(function: Experiment, task: Task) -> collections.abc.Iterator[list[outcome]]:
+    """A task in a process of its own. If that dies, each half has one, down to the experiment that ended
+    it."""
+    with ProcessPoolExecutor(1, initializer=_end_with_parent) as pool:
+        ((_, future),) = _by_executor(pool, function, [task])
+    if len(task) == 1 or not isinstance(future.exception(), BrokenExecutor):
+        yield _outcomes_of(task, future)
+    else:
+        half = len(task) // 2
+        yield from _alone(function, task[:half])
+        yield from _alone(function, task[half:])
+
+
+def _end_with_parent() -> None:
+    """Ends this process at Ctrl-C without a traceback, and at the end of the process that started it."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    starter, parent = os.getppid(), multiprocessing.parent_process()
-
-    def watch() -> None:
-        while os.getppid() == starter and (parent is None or parent.is_alive()):
-            time.sleep(PARENT_PERIOD)
-        os._exit(1)
-
-    threading.Thread(target=watch, daemon=True).start()
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
