@@ -4,6 +4,7 @@
 // engine.wasm.
 #include <device.hpp>
 #include <presets.hpp>
+#include <simulation.hpp>
 
 #include <cstdint>
 #include <cstdio>
@@ -42,21 +43,18 @@ struct hash {
 
 void print_loop(const explorer::preset& p) {
   const std::string name = std::string("loop:") + p.id;
-  const auto device = explorer::make_device(explorer::settings(p.settings));
-  const auto simulation = device->simulate();
-  explorer::value_table& row = simulation->row();
-  device->evaluate();
-  const double* x = device->values().data();  // the handle stands first
-  const explorer::drawing::place start(x[0], x[1], x[2]);
+  explorer::device device = explorer::make_device(explorer::settings(p.settings));
+  explorer::simulation simulation(device.parts().settings);
+  explorer::value_table& row = simulation.row();
+  device.evaluate();
+  const explorer::place start(device.values()["x"]);
   hash all;
   for (int frame = 0; frame < cycles / cycles_of_a_frame; ++frame) {
     const double way = reach * wave(frame);
-    simulation->step(cycles_of_a_frame,
-                     explorer::drawing::place(start[0] + way, start[1] + way / 2, start[2] - way),
-                     frame % 100 < 90);
+    simulation.step(cycles_of_a_frame, start + explorer::place(way, way / 2, -way), frame % 100 < 90);
     for (int k = 0; k < cycles_of_a_frame; ++k) {
       const int cycle = frame * cycles_of_a_frame + k;
-      const double* numbers = simulation->ring() + (cycle % explorer::simulation::ring_size) * row.size();
+      const double* numbers = simulation.ring() + (cycle % explorer::simulation::ring_size) * row.size();
       for (const explorer::named_value& v : row.names())
         if (std::string(v.id) != "gamma")
           for (int i = 0; i < v.size; ++i) all.add(numbers[v.offset + i]);
@@ -70,9 +68,9 @@ void print_loop(const explorer::preset& p) {
 
 int main() {
   for (const explorer::preset& p : explorer::presets) {
-    const auto device = explorer::make_device(explorer::settings(p.settings));
-    device->evaluate();
-    for (const explorer::named_value& v : device->values().names()) print(p.id, v, device->values().data());
+    explorer::device device = explorer::make_device(explorer::settings(p.settings));
+    device.evaluate();
+    for (const explorer::named_value& v : device.values().names()) print(p.id, v, device.values().data());
   }
   for (const explorer::preset& p : explorer::presets) print_loop(p);
 }

@@ -3,7 +3,8 @@
 ///
 /// Texts are UTF-8 and end with a zero. A text or table that a function returns belongs to the engine and
 /// stays until the next call of this function for this handle; numbers are read before the next call, as
-/// memory may grow. Handles are addresses, 0 is none. Of vectors in the plane z is 0.
+/// memory may grow. Handles are addresses, 0 is none: then explorer_error() has the reason. Of vectors in the
+/// plane z is 0.
 ///
 /// ## Settings
 /// A device, its law, scene and state are one text, *settings*: lines "NAME=VALUE". A link and a preset are
@@ -13,13 +14,13 @@
 ///     mechanism=tendon_two_link      an id of the catalogue
 ///     law=direct_control             an id of the catalogue
 ///     mechanism.length_1=0.15        a member of the mechanism's table
-///     brakes.torque_limit=1,1        a member of the table of the brakes
-///     brakes.present=1,0             which joints have brakes
+///     brakes.torque_limit=1,1        a member of the table of the brakes, one for each or one for all
+///     brakes.present=1,0             joints that have brakes
 ///     law.margin=0.2                 a member of the table of the law
 ///     options.max_approximation_angle=1.55
 ///     scene=plane:0,0.225,0,-1       none, plane:POINT,NORMAL, solid:CENTRE,RADIUS, hollow:CENTRE,RADIUS,
-///                                    edge:CORNER,NORMAL,NORMAL (plane only), outline:X,Y,X,Y,... (a polygon
-///                                    counter-clockwise, free outside), box:LOW,HIGH (space only)
+///                                    edge:CORNER,NORMAL,NORMAL (plane only), outline:X,Y,X,Y,... (a polygon,
+///                                    free outside), box:LOW,HIGH (space only)
 ///     scene.stiffness=1e7            [N/m]
 ///     scene.rate=20                  updates of the environment [Hz]; 0: each cycle
 ///     hand=pointer                   pointer, or along: a hand by itself that moves along the wall
@@ -38,125 +39,80 @@
 
 extern "C" {
 
-// What there is
-
-/// The catalogue, JSON:
-///
-///     {"version": 1, "library": "x.y.z",
-///      "mechanisms": [{"id", "label", "joints", "dimension", "brakes", "has_branches"}],
-///      "laws": [{"id", "look": one sentence, "equation": "12" or ""}],
-///      "scenes": [{"id", "label", "dimensions": [2, 3]}],
-///      "figures": [{"id", "label", "symbol", "unit", "look"}]                      of a design map
-///      "presets": [{"id": "fig2", "title", "look": one sentence, "settings"}]}
-///
-/// A preset's link is "#v1/" + id; that of a device of the user's own is "#v1/?" + its settings, encoded.
+/// The catalogue, JSON: {"mechanisms": [{"id", "label", "joints", "dimension", "brakes", "has_branches"}],
+/// "laws": [{"id"}], "presets": [{"id", "title", "look", "settings"}]}.
 EXPLORER_EXPORT const char* explorer_catalogue();
-/// Why the last call of any function was refused, in the words of the library; "" where it was not.
+/// The error of the last call, in the words of the library; "" if there was none.
 EXPLORER_EXPORT const char* explorer_error();
 
-// A device
-
-/// A device of these settings; 0 where they are refused, see explorer_error().
+/// A device of these settings.
 EXPLORER_EXPORT void* explorer_new(const char* settings);
 /// Ends it.
 EXPLORER_EXPORT void explorer_delete(void* device);
-/// Changes the settings that these lines name, but for the mechanism: make a new device for another one.
-/// 1; or 0, and nothing is changed, where they are refused.
+/// Changes settings, except the mechanism: make a new device for another one. 1; or 0, and nothing is
+/// changed.
 EXPLORER_EXPORT int explorer_set(void* device, const char* settings);
 /// All lines that differ from the defaults, with the state: what explorer_new() makes the device from.
 EXPLORER_EXPORT const char* explorer_settings(void* device);
-/// The form of the device, JSON: a list of
-///
-///     {"name": "mechanism.length_1", "group": "mechanism" | "brakes" | "law" | "options" | "scene" |
-///     "hand",
-///      "label": "length_1", "unit": "m", "expected": "a finite number > 0", "kind": "number" | "choice" |
-///      "bool", "choices": [...], "size": 1, "value": "0.15", "default": "0.15"}
+/// The form of the device, JSON: a list of {"name": "mechanism.length_1", "group": "mechanism", "brakes",
+/// "law", "options", "scene", "hand" or "map", "label", "unit", "expected", "kind": "number", "choice" or
+/// "text", "choices", "size", "value", "default"}.
 EXPLORER_EXPORT const char* explorer_form(void* device);
 
-/// The state, n + n + 3 + 3 numbers that the page may write: q [rad or m], qd [rad/s or m/s], hand force Fh
-/// [N], desired force Fd [N], which is read if the setting `desired` is `given`.
+/// The state, n + n + 3 + 3 numbers that the page may write: q [rad or m], qd [rad/s or m/s], Fh and Fd [N].
 EXPLORER_EXPORT double* explorer_state(void* device);
-/// Moves q towards the pose whose handle is at (x, y, z) [m]: closed form where the library has one, else
-/// damped steps by its Jacobian. The branch of the present pose is kept. 1 where the point was reached, else
-/// 0, with q at the nearest reach.
+/// Moves q towards the pose with the handle at (x, y, z) [m], on the present branch. 1 if it was reached,
+/// else 0, with q at the nearest reach.
 EXPLORER_EXPORT int explorer_reach(void* device, double x, double y, double z);
 /// Sets qd to the least joint rates that move the handle with (vx, vy, vz) [m/s].
 EXPLORER_EXPORT void explorer_move(void* device, double vx, double vy, double vz);
-/// Takes the other branch (elbow) of the same handle position, where the mechanism has one; 0 where it has
-/// none.
+/// Takes the other elbow of the same handle position; 0 if the mechanism has none.
 EXPLORER_EXPORT int explorer_flip(void* device);
 
-/// Computes all values at the present state: one control cycle of a fresh controller, and what is drawn
-/// beside.
+/// Computes all values at the present state: one control cycle of a fresh controller, and what is drawn.
 EXPLORER_EXPORT void explorer_evaluate(void* device);
-/// The values of the last explorer_evaluate(), a flat table as explorer_layout() names it.
+/// The values of the last explorer_evaluate(), a flat table as explorer_layout() describes it.
 EXPLORER_EXPORT double* explorer_values(void* device);
-/// The names of the values, JSON: a list of
-///
-///     {"id": "gamma", "label", "symbol": "γ", "equation": "12" or "", "unit": "rad", "group",
-///      "offset": into explorer_values(), "size": numbers, "columns": 1 or the length of each row,
-///      "words": of an enumeration, which counts from 0}
-///
-/// ids of m brakes and n joints, where vectors of the handle have 3 numbers:
-///
-///     motion    x, v, J (3 rows of n), w, signs, at_rest
-///     forces    E (3 rows of m), R (m rows of 3, R_i+; R_i- is -R_i+), R_defined, Fh, Fd, depth, normal,
-///               Fp (nearest force), Fc and Fc_scaled (alpha Fc), both before the torque limits, displayed
-///               (of the commanded torques, within the limits), displayed_without_law (of alpha = 1),
-///               brake_force (of the predicted torques), Fr (resultant of hand and brakes)
-///     brakes    cone_coefficients, capacity, torque, torque_limit, torque_share (0 released, 1 at the
-///     limit),
-///               brake_state (released, slips, holds, no brake)
-///     decision  gamma, alpha, power, display, saturated, region (passive FME of the present signs, -1 where
-///               a brake is at rest), strongest, status
+/// The names of the values (pose.cpp), JSON, with the length of the table: {"row": 120, "values": [{"id",
+/// "label", "symbol", "equation", "unit", "group", "offset", "size", "columns": 1 or the length of each row,
+/// "words": of an enumeration, which counts from 0}]}.
 EXPLORER_EXPORT const char* explorer_layout(void* device);
 
-/// The drawing at the present state: rows of 10 numbers, explorer_drawing_count() of them,
+/// The drawing at the present state: rows of 10 numbers, kind, number, x0, y0, z0, x1, y1, z1, size, angle;
+/// points in m, base frame. Kinds, with the meaning of the rest:
 ///
-///     kind, number, x0, y0, z0, x1, y1, z1, size, angle
-///
-/// points in m, base frame. Kinds, with what the rest means:
-///
-///     0 ground    at 0; size: half width
-///     1 link      from 0 to 1
-///     2 joint     at 0, turns about 1 - 0
-///     3 slide     a rail from 0 to 1
-///     4 carriage  at 0, moves along 1 - 0
-///     5 pulley    at 0; size: radius; angle: how far it turned [rad]; number: of the brake from 0
-///     6 belt      a straight run of a tendon from 0 to 1; number: of the brake
-///     7 brake     at 0, axis 1 - 0; size: radius to draw; angle: how far it turned; number: of the brake
-///     8 platform  an edge from 0 to 1
-///     9 handle    at 0
+///     0 ground    at 0; size: half width           5 pulley    at 0; size: radius; angle: how far it turned
+///     1 link      from 0 to 1                                  [rad]; number: of the brake from 0
+///     2 joint     at 0, turns about 1 - 0          6 belt      a straight run of a tendon from 0 to 1
+///     3 slide     a rail from 0 to 1               7 brake     at 0, axis 1 - 0; as a pulley
+///     4 carriage  at 0, moves along 1 - 0          8 platform  an edge from 0 to 1
+///                                                  9 handle    at 0
 EXPLORER_EXPORT double* explorer_drawing(void* device);
 /// Rows of the drawing; call it first, it computes them.
 EXPLORER_EXPORT int explorer_drawing_count(void* device);
-/// The box of all drawing that this device can reach [m]: low x, y, z, high x, y, z.
+/// The box of all that this device can reach [m]: low x, y, z, high x, y, z.
 EXPLORER_EXPORT double* explorer_bounds(void* device);
 
-/// The outline of what the brakes can produce within their torque limits in one region of torque signs.
-/// Returns the number of its points; 0 if there is none. Regions count from 0 to 2^m - 1 as in
-/// passive_fme.hpp: (+,+),
-/// (+,-), (-,+), (-,-). In the plane a closed polygon, in space triangles, 3 points each. region -1: that of
-/// the present signs, also with brakes at rest.
+/// The outline of the forces [N] that the brakes can produce within their limits in one region of torque
+/// signs, 0 to 2^m - 1 as in passive_fme.hpp: (+,+), (+,-), (-,+), (-,-); -1: the region of the present
+/// signs, also with brakes at rest. Returns the number of its points. In the plane a closed polygon, in space
+/// triangles.
 EXPLORER_EXPORT int explorer_outline(void* device, int region);
-
-/// Positions of the handle while one brake (from 0) holds and the others rotate: the curve over a length [m]
-/// to each side of the present handle. Returns the number of its points; 0 unless the device has two joints.
+/// Positions of the handle while one brake (from 0) holds and the others rotate, over a length [m] to each
+/// side of the present handle. Returns the number of its points; 0 unless the device has two joints.
 EXPLORER_EXPORT int explorer_locus(void* device, int brake, double length);
-
-/// The walls of the scene as lines to draw inside low x, y to high x, y (z 0), or in space as triangles.
-/// Returns the number of points; every 2 a segment in the plane, every 3 a triangle in space.
+/// The wall inside low x, y to high x, y. Returns the number of points; every 2 a segment in the plane, every
+/// 3 a triangle in space.
 EXPLORER_EXPORT int explorer_walls(void* device, double low_x, double low_y, double high_x, double high_y);
 /// The points of the last of these three functions, x y z each [N or m].
 EXPLORER_EXPORT double* explorer_points(void* device);
 
-// The simulation: the device at 1 kHz with a hand
-
-/// A simulation that starts at the state of these settings; 0 where they are refused.
+/// A simulation at 1 kHz that starts at the state of these settings.
 EXPLORER_EXPORT void* sim_new(const char* settings);
 /// Ends it.
 EXPLORER_EXPORT void sim_delete(void* sim);
-/// Changes settings while it runs (law, limits, scene, hand); the motion goes on. 1, or 0 where refused.
+/// Changes settings while it runs (law, limits, scene, hand); the motion goes on. 1, or 0 with nothing
+/// changed.
 EXPLORER_EXPORT int sim_set(void* sim, const char* settings);
 /// Runs so many cycles of 1 ms, in which the pointer goes evenly from where it was to (x, y, z) [m] and pulls
 /// by the hand's spring if is_held; else the hand lets go. Under hand=along the pointer is not read.
@@ -167,51 +123,37 @@ EXPLORER_EXPORT void sim_restart(void* sim);
 EXPLORER_EXPORT double* sim_ring(void* sim);
 /// Cycles so far.
 EXPLORER_EXPORT double sim_cycles(void* sim);
-/// The columns of a row, JSON as of explorer_layout(), with "columns in all" as the row's length:
-/// {"row": 40, "values": [...]}. ids: t, q, qd, x, v, pointer, hand_force (sensed), muscle_force, depth, w,
-/// capacity, brake_torque, brake_force, Fd, Fc, gamma, alpha, display, power, status, brake_state, progress.
+/// The columns of a row (simulation.cpp), JSON as of explorer_layout().
 EXPLORER_EXPORT const char* sim_layout(void* sim);
-/// Counts since the start: separations while the hand pushes, deepest [m], mean depth [m], deviation of the
-/// depth [m], share of the time in contact in which the last brake sticks, retarding force [N], largest power
-/// of a brake [W], contact time [s].
+/// Two figures since the start: separations while the hand pushes, and the time since the first contact [s].
 EXPLORER_EXPORT double* sim_figures(void* sim);
-
-/// Begins to record (1), or stops (0); a new record forgets the last. The most is 2 minutes.
+/// Begins to record (1), or stops (0); a new record forgets the last. At most 2 minutes.
 EXPLORER_EXPORT void sim_record(void* sim, int is_on);
-/// The record as a log of the library, CSV (docs/guide/log.md): what `./examples/run replay` reads.
+/// The record as a log of the library, CSV (docs/guide/log.md).
 EXPLORER_EXPORT const char* sim_log(void* sim);
-/// The device file with which `./examples/run replay` replays this log; "" where device files lack part of
-/// the device.
-EXPLORER_EXPORT const char* sim_device_file(void* sim);
 
-// A dropped log
-
-/// A log of the library's format, run through the law of these settings; 0 where it is refused, with the
-/// reason and the line in explorer_error().
+/// A log of the library's format, run through the law of these settings.
 EXPLORER_EXPORT void* log_open(const char* settings, const char* text);
 /// Ends it.
 EXPLORER_EXPORT void log_delete(void* log);
 /// Its lines.
 EXPLORER_EXPORT int log_count(void* log);
-/// A line as a row of the layout of the simulation (log_layout is sim_layout); what a log does not have is
-/// NaN.
+/// A line as a row of the layout of the simulation; NaN for what the log does not have.
 EXPLORER_EXPORT double* log_row(void* log, int line);
 /// The columns of a row.
 EXPLORER_EXPORT const char* log_layout(void* log);
-/// Lines whose capacities are those of the log to the last digit, of those that have any: two numbers.
+/// Lines with capacities equal to those of the law to the last digit, of those that have any: two numbers.
 EXPLORER_EXPORT double* log_agreement(void* log);
 
-// The design map
-
-/// A map of this device over a grid of points inside low to high [m] (z 0 in space: the plane of the present
-/// handle height), for a hand that moves and pushes in the directions of the settings map.direction and
-/// map.normal. 0 where it is refused.
+/// A map of this device over a grid of points inside low to high [m] (in space at the height of the handle),
+/// for a hand that moves and pushes in the directions of the settings map.direction and map.normal.
 EXPLORER_EXPORT void* map_new(void* device, int columns, int rows, double low_x, double low_y, double high_x,
                               double high_y);
 /// Ends it.
 EXPLORER_EXPORT void map_delete(void* map);
 /// Computes up to so many rows more; returns those that are done.
 EXPLORER_EXPORT int map_advance(void* map, int rows);
-/// rows x columns numbers of a figure of the catalogue by its index, from low y upwards; NaN out of reach.
+/// rows x columns numbers from low y upwards, NaN out of reach: 0 the cosine of the approximation angle, 1
+/// the class, as of `display`.
 EXPLORER_EXPORT double* map_figure(void* map, int figure);
 }

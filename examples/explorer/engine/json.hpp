@@ -4,8 +4,6 @@
 
 #include <log/number_text.hpp>
 
-#include <cmath>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -14,7 +12,7 @@ namespace explorer {
 /// Text of one JSON value, written from left to right: `json.object([&] { json.put("id", "gamma"); })`.
 class json_writer {
  public:
-  /// What was written.
+  /// The text so far.
   const std::string& text() const { return text_; }
 
   /// {...}: f writes the members.
@@ -22,10 +20,12 @@ class json_writer {
   void object(F&& f) {
     enclose('{', '}', f);
   }
-  /// [...]: f writes the elements.
-  template <class F>
-  void list(F&& f) {
-    enclose('[', ']', f);
+  /// A list of objects: f(element) writes the members of each.
+  template <class Elements, class F>
+  void list(const Elements& elements, F&& f) {
+    enclose('[', ']', [&] {
+      for (const auto& element : elements) object([&] { f(element); });
+    });
   }
   /// "name": before the value of a member.
   void name(std::string_view member) {
@@ -33,7 +33,22 @@ class json_writer {
     text_ += ':';
     is_first_ = true;
   }
-  /// A text.
+  /// A member: a text or a whole number.
+  template <class V>
+  void put(std::string_view member, const V& v) {
+    name(member);
+    value(v);
+  }
+  /// A member that is a list of texts or whole numbers.
+  template <class Values>
+  void put_list(std::string_view member, const Values& values) {
+    name(member);
+    enclose('[', ']', [&] {
+      for (const auto& v : values) value(v);
+    });
+  }
+
+ private:
   void value(std::string_view text) {
     separate();
     text_ += '"';
@@ -44,39 +59,16 @@ class json_writer {
     }
     text_ += '"';
   }
-  /// A text, not a bool.
-  void value(const char* text) { value(std::string_view(text)); }
-  /// A number; null where it is not finite.
-  void value(double number) {
+  void value(int number) {
     separate();
-    std::string digits = "null";
-    if (std::isfinite(number)) example::set_to_number(digits, number);
-    text_ += digits;
+    text_ += std::to_string(number);
   }
-  /// A whole number.
-  void value(int number) { value(static_cast<double>(number)); }
-  /// A member.
-  template <class V>
-  void put(std::string_view member, const V& v) {
-    name(member);
-    value(v);
-  }
-  /// A member that is a list of texts or numbers.
-  template <class Values>
-  void put_list(std::string_view member, const Values& values) {
-    name(member);
-    list([&] {
-      for (const auto& v : values) value(v);
-    });
-  }
-
- private:
   void separate() {
     if (!is_first_) text_ += ',';
     is_first_ = false;
   }
   template <class F>
-  void enclose(char open, char close, F& f) {
+  void enclose(char open, char close, F&& f) {
     separate();
     text_ += open;
     is_first_ = true;

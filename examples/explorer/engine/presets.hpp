@@ -32,16 +32,14 @@ struct preset {
 inline constexpr preset presets[] = {
     {"bounce", "Why does it bounce?",
      "The wall's force can only be approximated, and the approximated force pulls the handle off the wall: "
-     "contact and "
-     "gap alternate.",
+     "contact and gap alternate.",
      PAPER_HAND "law=no_direct_control\n"},
     {"glide", "Which law helps?",
      "This hand under velocity_direct_control: the depth stays constant, no brake sticks, the hand glides.",
      PAPER_HAND "law=velocity_direct_control\n"},
     {"fig2", "Figure 2: what two brakes can produce",
      "Four passive FMEs, bounded by the reference forces; the motion of the handle decides in which of them "
-     "a force can "
-     "be made.",
+     "a force can be made.",
      PAPER_ARM},
     {"fig3-Fd1", "Figure 3: a force that can be made",
      "F_d1 lies in the passive FME of the present motion: F_c is F_d itself, and the approximation angle is "
@@ -49,26 +47,23 @@ inline constexpr preset presets[] = {
      PAPER_ARM "Fd=-0.25,0.75\n"},
     {"fig3-Fd2", "Figure 3: a force that is approximated",
      "F_d2 opposes the motion, but brake 1 would have to drive: the nearest force R2- alone is scaled until "
-     "its part "
-     "along F_d is F_d.",
+     "its part along F_d is F_d.",
      PAPER_ARM "Fd=0.4,0.8\n"},
     {"fig3-Fd3", "Figure 3: a force that cannot be made",
      "F_d3 points along the motion: only a motor could make it, and no brake is commanded.",
      PAPER_ARM "Fd=0.5,-0.6\n"},
     {"fig4", "Figure 4: a wall along an axis",
-     "The wall's force points along a reference force: brake 2 alone displays its direction exactly, and the "
-     "hand slides on.",
-     "mechanism=xy_table\nbrakes.torque_limit=5,5\nscene=plane:0,0.05,0,-1\nlaw=no_direct_control\nq=0.02,0."
-     "0502\nqd=0.05,0.01\nFh=0."
-     "5,1.5\n"},
+     "The wall's force points along a reference force: brake 2 alone displays its direction exactly, and "
+     "the hand slides on.",
+     "mechanism=xy_table\nbrakes.torque_limit=5,5\nscene=plane:0,0.05,0,-1\nlaw=no_direct_control\n"
+     "q=0.02,0.0502\nqd=0.05,0.01\nFh=0.5,1.5\n"},
     {"fig5a", "Figure 5 (a): little depth",
      "F_c is smaller than the hand's part against it: the brake slips, and the resultant still points into "
      "the wall.",
      SLANTED "law=no_direct_control\nqd=0.0433,0.025\nFh=0.3,1.5\nFd=0.4,-0.6928\n"},
     {"fig5b", "Figure 5 (b): large depth, the pull-back",
      "Brake 2 holds and takes all of the hand's force against it: what is left points out of the wall, and "
-     "the handle "
-     "leaves.",
+     "the handle leaves.",
      SLANTED "law=no_direct_control\nqd=0.05,0\nFh=0.3,1.5\nFd=1,-1.732\n"},
     {"fig6", "Figure 6: direct control",
      "The handle moves out, so alpha scales F_c until nothing of the resultant is left normal to the wall.",
@@ -102,8 +97,8 @@ inline constexpr preset presets[] = {
      "mechanism=tendon_two_link\nlaw=direct_control\nq=1.6352759066114992,-1.108504851001068\n"
      "qd=-0.314448465631,0.275585167518\nFh=0.8,1.6\n"},
     {"edge", "Around an edge", "Pull the handle along one face of the edge and around its corner.",
-     "mechanism=tendon_two_link\nlaw=velocity_direct_control\nscene=edge:0.1,0.215,-0.5,-0.8660254037844386,"
-     "0.5,-0.8660254037844386\n"
+     "mechanism=tendon_two_link\nlaw=velocity_direct_control\n"
+     "scene=edge:0.1,0.215,-0.5,-0.8660254037844386,0.5,-0.8660254037844386\n"
      "q=2.0409699934215944,-1.4919591304304407\n"},
     {"outline", "The outline of a body",
      "Touch the body from all sides: it has corners that stand out and one that leads in.",
@@ -122,21 +117,22 @@ inline constexpr preset presets[] = {
     {"three-links", "One link more than needed",
      "The arm can give way without the handle moving, until one of its brakes is at rest: then the others "
      "make the force.",
-     "mechanism=planar_3r\nlaw=direct_control\nq=2.1301444221519814,-1.1193585324007049,-1.0518235783084788\n"
+     "mechanism=planar_3r\nlaw=direct_control\n"
+     "q=2.1301444221519814,-1.1193585324007049,-1.0518235783084788\n"
      "qd=-0.284479770398,0.0761454136403,0.172871912211\nFh=0.5,1.5\n"},
     {"one-brake", "Would my device do?",
      "Without brake 1 the device makes forces along one line only: the design map shows where that is "
      "enough.",
-     "mechanism=two_link\nlaw=direct_control\nbrakes.present=0,1\nq=1.6352759066114992,-1.108504851001068\n"
-     "qd=-0.314448465631,0.275585167518\nFh=0.8,1.6\n"},
+     "mechanism=two_link\nlaw=direct_control\nbrakes.present=0,1\n"
+     "q=1.6352759066114992,-1.108504851001068\nqd=-0.314448465631,0.275585167518\nFh=0.8,1.6\n"},
     {"delta", "A delta in space",
      "Three brakes and a platform that keeps its attitude, above a horizontal wall.",
      "mechanism=delta\nlaw=direct_control\nq=0.69631101962358444,0.67452869226310108,0.97423834676896415\n"
      "qd=-0.260941711133,0.138061671879,0.399842976689\nFh=0.2,0.1,-1.5\n"},
     {"arm", "An arm in space",
      "A turning base, shoulder and elbow with a brake each, above a horizontal wall.",
-     "mechanism=spatial_3r\nlaw=direct_control\nq=0.32175055439664385,0.080118624992788892,-1."
-     "564858271065162\n"
+     "mechanism=spatial_3r\nlaw=direct_control\n"
+     "q=0.32175055439664385,0.080118624992788892,-1.564858271065162\n"
      "qd=0.225,-0.0460507315111,0.556280640673\nFh=0.2,0.1,-1.5\n"},
 };
 

@@ -24,8 +24,9 @@ const std::string* settings::find(std::string_view name) const {
 }
 
 void settings::set(std::string_view name, std::string_view value) {
-  // A link of an earlier version: the links of the tendon device had a table of their own
+  // Links of earlier versions: the links of the tendon device had a table of their own, and the map a push
   constexpr std::string_view old_prefix = "mechanism.arm.";
+  if (name == "map.push") return;
   if (name.starts_with(old_prefix))
     return set(std::string("mechanism.").append(name.substr(old_prefix.size())), value);
   for (auto& [known, old] : lines_)
@@ -59,18 +60,13 @@ void refuse(std::string_view name, std::string_view found, std::string_view expe
       std::string(name).append(" = '").append(text).append("', expected ").append(expected));
 }
 
-double number_of(std::string_view name, std::string_view text) {
-  double value = 0;
-  const auto [stop, error] = ph::detail::read_number(text, value);
-  if (error != std::errc() || stop != text.data() + text.size()) refuse(name, text, "a number");
-  return value;
-}
-
 std::vector<double> numbers_of(std::string_view name, std::string_view text) {
   std::vector<double> all;
   while (true) {
     const std::size_t comma = std::min(text.find(','), text.size());
-    all.push_back(number_of(name, text.substr(0, comma)));
+    const std::string_view word = text.substr(0, comma);
+    const auto [stop, error] = ph::detail::read_number(word, all.emplace_back());
+    if (error != std::errc() || stop != word.data() + word.size()) refuse(name, word, "a number");
     if (comma == text.size()) return all;
     text.remove_prefix(comma + 1);
   }

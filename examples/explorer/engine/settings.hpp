@@ -22,7 +22,7 @@ class settings {
  public:
   /// None.
   settings() = default;
-  /// Of this text; empty lines and lines that begin with # are skipped. Throws std::invalid_argument.
+  /// From a text; empty lines and lines that begin with # are skipped. Throws std::invalid_argument.
   explicit settings(std::string_view text);
 
   /// The value, or nullptr.
@@ -44,8 +44,13 @@ class settings {
 std::string number_text(double value);
 /// "name = found, expected ...", thrown as std::invalid_argument.
 [[noreturn]] void refuse(std::string_view name, std::string_view found, std::string_view expected);
-/// One number. Throws std::invalid_argument with the name.
-double number_of(std::string_view name, std::string_view text);
+/// "one of A, B", of the names of the elements of a list.
+template <class Elements, class Name>
+std::string names_of(const Elements& all, Name name) {
+  std::string text = "one of ";
+  for (const auto& one : all) text.append(&one == &all.front() ? "" : ", ").append(name(one));
+  return text;
+}
 /// The numbers between commas. Throws std::invalid_argument with the name.
 std::vector<double> numbers_of(std::string_view name, std::string_view text);
 

@@ -5,35 +5,34 @@
 #include "json.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace explorer {
 
-/// What stands in some places of the table.
+/// Some places of the table.
 struct named_value {
-  const char* id;                       ///< As exports.hpp lists it.
-  const char* label;                    ///< In words.
-  const char* symbol;                   ///< As in the paper; empty where it has none.
-  const char* equation;                 ///< Its number in the paper; empty where it has none.
-  std::string unit;                     ///< "1" for a ratio, "" for a word.
-  const char* group;                    ///< Where it is shown: motion, forces, brakes, decision.
-  int size = 1;                         ///< Numbers.
-  int columns = 1;                      ///< Of them in a row.
-  std::vector<std::string> words = {};  ///< Of an enumeration, which counts from 0.
-  int offset = 0;                       ///< Of the first number; the table sets it.
+  const char* id;        ///< As exports.hpp lists it.
+  const char* label;     ///< In words.
+  const char* symbol;    ///< As in the paper; empty where it has none.
+  const char* equation;  ///< Its number in the paper; empty where it has none.
+  std::string unit;      ///< "1" for a ratio, "" for a word.
+  const char* group;     ///< Its part of the page: motion, forces, brakes, decision, simulation.
+  int size = 1;          ///< Numbers.
+  int columns = 1;       ///< Numbers in a row.
+  std::vector<std::string> words = {};  ///< For an enumeration, which counts from 0.
+  int offset = 0;                       ///< The first number; the table sets it.
 };
 
 /// The numbers and their names.
 class value_table {
  public:
-  /// Adds a value; returns its offset.
-  int add(named_value about) {
-    about.offset = size();
-    numbers_.resize(numbers_.size() + std::size_t(about.size), 0.0);
-    names_.push_back(std::move(about));
-    return names_.back().offset;
+  /// With these values, all 0.
+  explicit value_table(std::vector<named_value> names) : names_(std::move(names)) {
+    int size = 0;
+    for (named_value& v : names_) v.offset = std::exchange(size, size + v.size);
+    numbers_.resize(std::size_t(size));
   }
   /// All numbers.
   int size() const { return static_cast<int>(numbers_.size()); }
@@ -42,39 +41,35 @@ class value_table {
   /// The names.
   const std::vector<named_value>& names() const { return names_; }
 
-  /// Sets one number.
-  void put(int offset, double x) { numbers_[std::size_t(offset)] = x; }
-  /// Sets a vector or, row by row, a matrix; `width` places for each row, the rest 0.
-  template <class Matrix>
-  void put_rows(int offset, const Matrix& values, int width) {
-    for (int i = 0; i < values.rows(); ++i)
-      for (int j = 0; j < width; ++j)
-        numbers_[std::size_t(offset + i * width + j)] = j < values.cols() ? double(values(i, j)) : 0.0;
+  /// Sets all numbers.
+  void fill(double x) { std::fill(numbers_.begin(), numbers_.end(), x); }
+  /// The numbers of a value.
+  double* operator[](std::string_view id) {
+    const auto found = std::find_if(names_.begin(), names_.end(), [&](const auto& v) { return id == v.id; });
+    return numbers_.data() + found->offset;
   }
-  /// Sets a column of numbers; `width` places, the rest 0.
-  template <class Vector>
-  void put_column(int offset, const Vector& values, int width) {
-    for (int i = 0; i < width; ++i)
-      numbers_[std::size_t(offset + i)] = i < values.size() ? double(values[i]) : 0.0;
+  /// Sets a value of one number.
+  void put(std::string_view id, double x) { *(*this)[id] = x; }
+  /// Sets the first numbers of a value.
+  template <class Values>
+    requires requires(const Values& v) { v.size(); }
+  void put(std::string_view id, const Values& values) {
+    std::copy_n(values.data(), values.size(), (*this)[id]);
   }
 
   /// The list of names (exports.hpp).
   void write(json_writer& json) const {
-    json.list([&] {
-      for (const named_value& v : names_) {
-        json.object([&] {
-          json.put("id", v.id);
-          json.put("label", v.label);
-          json.put("symbol", v.symbol);
-          json.put("equation", v.equation);
-          json.put("unit", v.unit);
-          json.put("group", v.group);
-          json.put("offset", v.offset);
-          json.put("size", v.size);
-          json.put("columns", v.columns);
-          if (!v.words.empty()) json.put_list("words", v.words);
-        });
-      }
+    json.list(names_, [&](const named_value& v) {
+      json.put("id", v.id);
+      json.put("label", v.label);
+      json.put("symbol", v.symbol);
+      json.put("equation", v.equation);
+      json.put("unit", v.unit);
+      json.put("group", v.group);
+      json.put("offset", v.offset);
+      json.put("size", v.size);
+      json.put("columns", v.columns);
+      if (!v.words.empty()) json.put_list("words", v.words);
     });
   }
 

@@ -22,7 +22,6 @@ export const app = {
   info: null,
   law: '',
   laws: [],
-  slots: [],
   focus: 0,
   layers: new Set(),
   is_own: false,
@@ -32,10 +31,10 @@ export const app = {
   pointer: null,
   is_held: false,
   is_paused: false,
+  speed: 1,
   is_by_itself: true,
   is_dirty: true,
   map: null,
-  map_figure: 0,
   log: null,
   lens_memory: {},
   shown() {},
@@ -57,7 +56,8 @@ export const is_simulated = () => app.question.is_moving && !app.log;
 export const is_moving = () => !!app.log || !!app.question.is_moving;
 export const is_space = () => app.info.dimension === 3;
 
-export const colors = () => app.slots.map(slot => app.theme.laws[slot]);
+const law_slots = {no_direct_control: 0, velocity_direct_control: 1}; // of the colours of laws, 2 for others
+export const colors = () => app.laws.map(law => app.theme.laws[law_slots[law] ?? 2]);
 export const form_value = name => app.device.form().find(entry => entry.name === name)?.value ?? '';
 
 // The numbers of a value: of the last row, else of the device.
@@ -82,18 +82,4 @@ export function follow_tracks() {
   state.qd.set(tracks().value(app.focus, 'qd'));
   state.Fh.set(tracks().value(app.focus, 'hand_force'));
   app.device.evaluate();
-}
-
-// A colour for each law that runs. Those of the opening keep theirs.
-export function assign_colors() {
-  const slots = new Map(),
-    free = [0, 1, 2],
-    fixed = {no_direct_control: 0, velocity_direct_control: 1};
-  const take = (law, slot) => {
-    slots.set(law, slot);
-    free.splice(free.indexOf(slot), 1);
-  };
-  for (const law of app.laws) if (law in fixed) take(law, fixed[law]);
-  for (const law of app.laws) if (!slots.has(law)) take(law, free.at(-1));
-  app.slots = app.laws.map(law => slots.get(law));
 }

@@ -2,11 +2,11 @@
 
 import {app, engine, form_value, is_moving, runner} from './app.js';
 import {make_form} from './form.js';
-import {element, ended, set_sentence, symbol_html} from './format.js';
+import {ended, set_sentence, symbol_html} from './format.js';
 import {keep_link} from './link.js';
 import {by_id, refuse} from './messages.js';
-import {begin, start_runner} from './open.js';
-import {law_name, layers} from './story.js';
+import {begin} from './open.js';
+import {law_look, law_name, layers} from './story.js';
 
 const groups = [
   ['mechanism', 'Mechanism'],
@@ -35,18 +35,13 @@ export function show_controls() {
   show_scene();
   const beside = question.step === 4 && !!question.is_moving;
   for (const id of ['alpha_choice', 'alpha_law']) by_id(id).hidden = question.id !== 'direct';
-  by_id('laws').hidden = !beside;
   by_id('law_choice').hidden = beside;
   by_id('law_text').hidden = beside;
-  const law = engine.catalogue.laws.find(other => other.id === app.law);
   by_id('law').title = app.law;
-  by_id('law_text').textContent = law ? law.look + (law.equation && ` Equation (${law.equation}).`) : '';
-  show_laws();
+  by_id('law_text').textContent = law_look(app.law);
   for (const id of ['transport', 'plots', 'records']) by_id(id).hidden = !is_moving();
   document.body.dataset.question = question.id;
   document.body.classList.toggle('moving', is_moving());
-  by_id('results').hidden = app.laws.length < 2 || !question.is_moving;
-  by_id('map_choice').hidden = question.id !== 'mine';
   by_id('flip').hidden = question.is_moving || !app.info.has_branches;
   by_id('self').setAttribute('aria-pressed', String(app.is_by_itself));
   by_id('hint').hidden =
@@ -70,10 +65,21 @@ function show_scene() {
   const text = form_value('scene'),
     select = by_id('scene'),
     kind = text.split(':')[0];
-  const fitting = engine.catalogue.scenes.filter(scene => scene.dimensions.includes(app.info.dimension));
-  select.innerHTML = fitting.map(({id, label}) => `<option value="${id}">${label}</option>`).join('');
+  const fitting = scenes.filter(([, , only]) => !only || only === app.info.dimension);
+  select.innerHTML = fitting.map(([id, label]) => `<option value="${id}">${label}</option>`).join('');
   select.value = kind || 'none';
 }
+
+// Kinds of walls, with the dimension that some need.
+const scenes = [
+  ['none', 'No wall'],
+  ['plane', 'Plane'],
+  ['solid', 'Circle or ball from outside'],
+  ['hollow', 'Circle or ball from inside'],
+  ['edge', 'Edge', 2],
+  ['outline', 'Outline of a body', 2],
+  ['box', 'Box', 3],
+];
 
 // A wall of this kind a little beyond the handle.
 export function scene_text(kind) {
@@ -104,52 +110,15 @@ export function scene_text(kind) {
   return kind + ':' + numbers.map(c => Number(c.toPrecision(4))).join();
 }
 
-function show_laws() {
-  by_id('law_list').innerHTML = engine.catalogue.laws
-    .map(({id, look}) => {
-      const at = app.laws.indexOf(id),
-        color = at >= 0 ? `style="background:var(--law-${app.slots[at] + 1})"` : '';
-      return `<label title="${id}: ${look}"><input type="checkbox" value="${id}" ${at >= 0 ? 'checked' : ''}><span class="swatch" ${color}></span>${law_name(id)}</label>`;
-    })
-    .join('');
-  by_id('focus').innerHTML = app.laws.map((law, k) => `<option value="${k}">${law_name(law)}</option>`).join('');
-  by_id('focus').value = app.focus;
-}
-
-export function toggle_law(law) {
-  if (app.laws.includes(law)) {
-    if (app.laws.length > 1) app.laws = app.laws.filter(other => other !== law);
-  } else app.laws = [...app.laws, law].slice(-3);
-  start_runner();
-  show_laws();
-  by_id('law_list').querySelector(`input[value="${law}"]`)?.focus();
-}
-
-// What is drawn, as a legend, and in "More" as buttons that show and hide it.
 function show_legend() {
-  const is_used = ({id}) =>
-    (!/map|normal/.test(id) || app.question.id === 'mine') && (!/paths|locus/.test(id) || app.question.is_moving);
-  const entry = (name, attributes, layer) => {
-    const made = element(name, {...attributes, 'data-layer': layer.id});
-    made.innerHTML = legend_mark(layer) + symbol_html(layer.label);
-    return made;
-  };
   by_id('legend').replaceChildren(
     ...layers
-      .filter(layer => layer.mark && is_used(layer) && app.layers.has(layer.id))
-      .map(layer => entry('span', {}, layer)),
-  );
-  by_id('layers').replaceChildren(
-    ...layers.filter(is_used).map(layer => {
-      const button = entry('button', {type: 'button', 'aria-pressed': String(app.layers.has(layer.id))}, layer);
-      button.addEventListener('click', () => {
-        app.layers.has(layer.id) ? app.layers.delete(layer.id) : app.layers.add(layer.id);
-        app.is_dirty = true;
-        show_legend();
-        by_id('layers').querySelector(`[data-layer="${layer.id}"]`).focus();
-      });
-      return button;
-    }),
+      .filter(({id, mark}) => mark && app.layers.has(id))
+      .map(layer => {
+        const made = document.createElement('span');
+        made.innerHTML = legend_mark(layer) + symbol_html(layer.label);
+        return made;
+      }),
   );
 }
 

@@ -1,20 +1,10 @@
 // The design map under the mechanism: computed a few rows at a time, painted in colours that grow darker
 // evenly.
 
-import {short_number} from './format.js';
-
 // Stops of viridis, from low to high.
 const ramp = [
-  [68, 1, 84],
-  [72, 40, 120],
-  [62, 74, 137],
-  [49, 104, 142],
-  [38, 130, 142],
-  [31, 158, 137],
-  [53, 183, 121],
-  [110, 206, 88],
-  [181, 222, 43],
-  [253, 231, 37],
+  ...[[68, 1, 84], [72, 40, 120], [62, 74, 137], [49, 104, 142], [38, 130, 142]], // dark
+  ...[[31, 158, 137], [53, 183, 121], [110, 206, 88], [181, 222, 43], [253, 231, 37]],
 ];
 const none_color = [176, 176, 176]; // of places where the brakes make no force against the wall
 const columns = 72;
@@ -48,51 +38,26 @@ export function make_design_map(changed) {
       map?.end();
       map = null;
     },
-    // The picture of a figure of the catalogue: {image, low, high, ramp, texts, title, numbers}.
-    picture(index, figure, class_index) {
+    // {image, low, high, ramp, none: colours, classes, done: share of the map}.
+    picture() {
       if (!map) return null;
-      const numbers = map.figure(index),
-        known = [...numbers].filter(Number.isFinite).sort((a, b) => a - b);
-      // Shares go from 0 to 1; others as far as nearly all places go.
-      const is_share = figure.id === 'cosine' || figure.id === 'isotropy';
-      const least = is_share ? 0 : known.length ? known[Math.floor(0.02 * known.length)] : 0,
-        most = is_share ? 1 : known.length ? known[Math.floor(0.98 * (known.length - 1))] : 1;
-      const image = document.createElement('canvas'),
+      const [cosines, classes] = [0, 1].map(map.figure),
+        image = document.createElement('canvas'),
         context = image.getContext('2d');
-      image.width = columns;
-      image.height = rows;
-      const data = context.createImageData(columns, rows),
-        classes = map.figure(class_index);
-      for (let row = 0; row < rows; ++row)
-        for (let column = 0; column < columns; ++column) {
-          const value = numbers[row * columns + column],
-            at = 4 * ((rows - 1 - row) * columns + column);
-          if (!Number.isFinite(value)) continue;
-          const color =
-            classes[row * columns + column] === 0 && figure.id === 'cosine'
-              ? none_color
-              : ramp_color(most > least ? (value - least) / (most - least) : 0.5);
-          data.data.set([...color, 255], at);
-        }
+      Object.assign(image, {width: columns, height: rows});
+      const data = context.createImageData(columns, rows);
+      cosines.forEach((cosine, k) => {
+        const at = 4 * ((rows - 1 - Math.floor(k / columns)) * columns + (k % columns));
+        if (Number.isFinite(cosine)) data.data.set([...(classes[k] ? ramp_color(cosine) : none_color), 255], at);
+      });
       context.putImageData(data, 0, 0);
-      const unit = figure.unit && figure.unit !== '1' ? ' ' + figure.unit : '';
       return {
         image,
-        low: box.low,
-        high: box.high,
-        ramp: ramp.map(c => 'rgb(' + c + ')'),
-        title:
-          figure.id === 'cosine'
-            ? 'force out of the wall, cos γ'
-            : figure.label + (figure.symbol ? ' ' + figure.symbol : ''),
-        classes: [...classes].filter(Number.isFinite),
-        none: figure.id === 'cosine' && `rgb(${none_color})`,
+        ...box,
+        ramp: ramp.map(c => `rgb(${c})`),
+        none: `rgb(${none_color})`,
+        classes: classes.filter(Number.isFinite),
         done: done / rows,
-        texts:
-          figure.id === 'cosine'
-            ? ['hardly', 'exactly']
-            : [short_number(least, 2) + unit, short_number(most, 2) + unit],
-        known,
       };
     },
   };

@@ -43,7 +43,7 @@ function wrap_engine(wasm) {
   function make_device(settings) {
     const handle = with_text(settings, text => wasm._explorer_new(text));
     if (!handle) return null;
-    const layout = JSON.parse(text_at(wasm._explorer_layout(handle)));
+    const layout = JSON.parse(text_at(wasm._explorer_layout(handle))).values;
     const entries = new Map(layout.map(entry => [entry.id, entry]));
     const points_of = count => {
       const numbers = numbers_at(wasm._explorer_points(handle), 3 * count);
@@ -121,10 +121,9 @@ function wrap_engine(wasm) {
         for (let k = from; k < cycles; ++k) rows.set(numbers_at(start + 8 * row * (k % ring), row), (k - from) * row);
         return {first: from, rows};
       },
-      figures: () => [...numbers_at(wasm._sim_figures(handle), 8)],
+      figures: () => [...numbers_at(wasm._sim_figures(handle), 2)],
       record: is_on => wasm._sim_record(handle, is_on ? 1 : 0),
       log: () => text_at(wasm._sim_log(handle)),
-      device_file: () => text_at(wasm._sim_device_file(handle)),
       end: () => wasm._sim_delete(handle),
     };
   }

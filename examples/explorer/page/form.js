@@ -1,6 +1,5 @@
 // The form of a device: a field for each setting that the engine names, with its unit and what the engine expects.
 
-const key_step = 1.05; // by which the arrow keys change a number [1]
 const elsewhere = new Set(['q', 'qd', 'Fh', 'Fd', 'alpha', 'desired', 'hand', 'law']); // what the picture and the other controls set
 const is_flags = entry => /^1 or 0 for each/.test(entry.expected || '');
 
@@ -45,16 +44,6 @@ export function make_form(form, changed) {
     const flags = [...form.querySelectorAll(`[data-entry="${name}"]`)].map(box => (box.checked ? '1' : '0')).join();
     changed(name, target.type === 'checkbox' ? flags : target.value.trim());
   });
-  // The arrow keys make a number larger and smaller.
-  form.addEventListener('keydown', event => {
-    const entry = entries.get(event.target.dataset.entry),
-      numbers = event.target.value.split(',').map(Number);
-    if (!/^Arrow(Up|Down)$/.test(event.key) || entry?.kind !== 'number' || !numbers.every(Number.isFinite)) return;
-    event.preventDefault();
-    const factor = event.key === 'ArrowUp' ? key_step : 1 / key_step;
-    changed(entry.name, numbers.map(number => Number((number * factor).toPrecision(4))).join());
-  });
-
   return {
     // all: the list of explorer_form(); groups: those to show, in this order.
     show(all, groups) {

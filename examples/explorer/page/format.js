@@ -22,19 +22,6 @@ export const symbol_html = text =>
     .replace(/</g, '&lt;')
     .replace(/_\{([^}]*)\}|(?<=(?:^|[^A-Za-z_])[A-Za-zα-ω])_([A-Za-z0-9]+)/g, (_, a, b) => `<sub>${a ?? b}</sub>`);
 
-// An element with text, or with children.
-export function element(name, attributes = {}, ...children) {
-  const made = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) {
-    if (key === 'text') made.textContent = value;
-    else if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
-    else if (value === true) made.setAttribute(key, '');
-    else if (value !== false && value !== undefined && value !== null) made.setAttribute(key, value);
-  }
-  made.append(...children);
-  return made;
-}
-
 // A sentence in which *words* are strong, and F_d has its subscript.
 export function set_sentence(target, sentence) {
   if (target.dataset.sentence === sentence) return;

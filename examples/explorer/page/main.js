@@ -1,18 +1,17 @@
 // The page: its lists are filled, its controls are wired, and what the link names is opened.
 
 import {app, engine, is_moving, is_simulated, pen, runner} from './app.js';
-import {change_setting, scene_text, show_controls, toggle_law} from './controls.js';
+import {change_setting, scene_text, show_controls} from './controls.js';
 import {add_grips, evaluate, let_go} from './hand.js';
-import {keep_link, own_link} from './link.js';
+import {keep_link} from './link.js';
 import {by_id, refuse, say} from './messages.js';
-import {copy_text} from './numbers.js';
-import {alpha_of_law, begin, open_link, paint_map, start_runner} from './open.js';
+import {alpha_of_law, begin_own, open_device_file, open_link, start_runner} from './open.js';
 import {save_png, save_text, watch_files} from './save.js';
 import {page_address, page_link} from './settings.js';
 import {frame, picture_svg} from './show.js';
 import {law_name, parts, questions} from './story.js';
 import {read_theme, watch_theme} from './theme.js';
-import {open_log, restart, set_by_itself, set_paused, set_speed, toggle_record} from './transport.js';
+import {open_log, restart, set_by_itself, set_paused, toggle_record} from './transport.js';
 
 const is_figure = preset => /^fig/.test(preset.id);
 
@@ -22,7 +21,7 @@ const redraw = () => {
 };
 
 function fill_lists() {
-  const {presets, mechanisms, laws, figures} = engine.catalogue;
+  const {presets, mechanisms, laws} = engine.catalogue;
   const link = ({id, title, look}) => `<a href="${page_address(id)}" data-id="${id}" title="${look}">${title}</a>`,
     option = (value, text, title = '') => `<option value="${value}" title="${title}">${text}</option>`;
   by_id('questions').innerHTML = questions
@@ -42,14 +41,10 @@ function fill_lists() {
     .join('');
   by_id('mechanism').innerHTML = mechanisms.map(({id, label}) => option(id, label)).join('');
   by_id('law').innerHTML = laws.map(({id}) => option(id, law_name(id), id)).join('');
-  by_id('map_figure').innerHTML = figures.map(({label}, k) => option(k, label)).join('');
 }
 
 function choose_mechanism({target}) {
-  const {id, is_moving} = app.question,
-    desired = /wanted|direct/.test(id) ? 'given' : 'scene',
-    settings = `mechanism=${target.value}\nhand=${is_moving ? 'along' : 'pointer'}\ndesired=${desired}`;
-  refuse(begin(app.question, settings + (id === 'direct' ? '\nalpha=1' : ''), null, true));
+  refuse(begin_own(app.question, 'mechanism=' + target.value));
   keep_link();
 }
 
@@ -76,17 +71,7 @@ function set_alpha(alpha) {
 function wire() {
   on('mechanism', 'change', choose_mechanism);
   on('law', 'change', choose_law);
-  on('law_list', 'change', event => toggle_law(event.target.value));
-  on('focus', 'change', event => {
-    app.focus = Number(event.target.value);
-    redraw();
-  });
   on('scene', 'change', event => change_setting('scene', scene_text(event.target.value)));
-  on('map_figure', 'change', event => {
-    app.map_figure = Number(event.target.value);
-    paint_map();
-    redraw();
-  });
   on('alpha', 'input', event => {
     const alpha = Number(event.target.value),
       best = alpha_of_law(app.device);
@@ -104,17 +89,8 @@ function wire() {
   on('pause', 'click', () => set_paused(!app.is_paused));
   on('restart', 'click', restart);
   on('self', 'click', () => set_by_itself(!app.is_by_itself));
-  on('speed', 'change', event => set_speed(event.target.value));
   on('record', 'click', event => toggle_record(event.target));
-  on('replay', 'click', () => {
-    runner.send({kind: 'replay'});
-    set_paused(false);
-  });
   on('download', 'click', () => runner.send({kind: 'log', law: app.focus}));
-  on('copy_link', 'click', () => {
-    history.replaceState(null, '', own_link());
-    copy_text(location.href).then(() => say('The link is copied: ' + location.hash));
-  });
   on('save_svg', 'click', () => save_text('explorer.svg', picture_svg(), 'image/svg+xml'));
   on('save_png', 'click', () => save_png('explorer.png', picture_svg(), pen.width, pen.height, 2));
   on('theme', 'click', () => set_theme(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'));
@@ -123,7 +99,9 @@ function wire() {
     app.theme = read_theme();
     app.is_dirty = true;
   });
-  watch_files(document.body, by_id('open_log'), open_log);
+  watch_files(document.body, by_id('open_file'), (text, name) =>
+    (/\.toml$/i.test(name) ? open_device_file : open_log)(text, name),
+  );
   addEventListener('hashchange', () => {
     open_link();
     keep_link();

@@ -1,5 +1,4 @@
-// What the page says beside the picture: a note, a refusal in the words of the library, a word for a screen
-// reader.
+// Texts next to the picture: a note, a refusal in the words of the library.
 
 export const by_id = id => document.getElementById(id);
 
@@ -17,8 +16,4 @@ export function refuse(reason) {
 export function warn(reason) {
   by_id('warning').hidden = !reason;
   by_id('warning').textContent = reason;
-}
-
-export function speak(text) {
-  by_id('spoken').textContent = text;
 }

@@ -1,7 +1,7 @@
 // The table of numbers: symbol, value, unit and equation of each value that the engine names. Rows are made once for a
 // layout; afterwards only texts change.
 
-import {element, short_number, symbol_html} from './format.js';
+import {short_number, symbol_html} from './format.js';
 
 const group_names = {
   motion: 'Motion',
@@ -11,8 +11,7 @@ const group_names = {
   simulation: 'Simulation',
 };
 
-// panel, copy_button: elements. copied(text): is called after a text went to the clipboard.
-export function make_numbers(panel, copy_button, copied) {
+export function make_numbers(panel) {
   let shown = null,
     cells = [];
 
@@ -35,15 +34,6 @@ export function make_numbers(panel, copy_button, copied) {
     cells = [...panel.querySelectorAll('.number')];
   }
 
-  const copy = (text, name) => copy_text(text).then(() => copied(name));
-  copy_button.addEventListener('click', () =>
-    copy(cells.map(({dataset}) => `${dataset.id}[${dataset.index}] ${dataset.value}`).join('\n'), 'all numbers'),
-  );
-  panel.addEventListener('click', event => {
-    const number = event.target.closest('.number');
-    if (number) copy(number.dataset.value, number.dataset.value);
-  });
-
   // values: the numbers of an entry.
   return function show(layout, values) {
     if (layout !== shown) build(layout);
@@ -57,20 +47,4 @@ export function make_numbers(panel, copy_button, copied) {
       cell.textContent = words?.[number] ?? short_number(number, 4);
     }
   };
-}
-
-// Copies a text, also where the clipboard is closed to a page from a file.
-export async function copy_text(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-  } catch {
-    const area = element('textarea', {'aria-hidden': 'true'});
-    area.value = text;
-    area.style.position = 'fixed';
-    area.style.opacity = '0';
-    document.body.append(area);
-    area.select();
-    document.execCommand('copy');
-    area.remove();
-  }
 }

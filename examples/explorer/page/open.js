@@ -1,8 +1,10 @@
 // Beginning: what a link, a question or a figure of the paper starts with.
 
-import {app, assign_colors, engine, form_value, runner} from './app.js';
+import {app, engine, form_value, runner} from './app.js';
 import {make_design_map} from './design.js';
-import {refuse, warn} from './messages.js';
+import {settings_of_file} from './device_file.js';
+import {keep_link} from './link.js';
+import {refuse, say, warn} from './messages.js';
 import {box_of, scales_of} from './picture.js';
 import {format_settings, parse_link, parse_settings, quoted} from './settings.js';
 import {law_name, question_of, questions} from './story.js';
@@ -52,16 +54,33 @@ function open_page({page, settings, reason}) {
 // Goes to a question, with the device that was chosen, or with that of the question. Returns why not, as
 // begin().
 function turn_to(question) {
-  if (app.is_own && app.device) {
-    const settings = parse_settings(app.device.settings());
-    settings.set('desired', is_given(question) ? 'given' : 'scene');
-    settings.set('alpha', question.id === 'direct' ? '1' : '-1');
-    settings.set('hand', question.is_moving ? 'along' : 'pointer');
-    return begin(question, format_settings(settings), null, true);
-  }
+  if (app.is_own && app.device) return begin_own(question, app.device.settings());
   const settings = parse_settings(question.start || preset_of(question.preset).settings);
   if (!question.is_moving) settings.set('hand', 'pointer');
   return begin(question, format_settings(settings), null, false);
+}
+
+// Shows a device of the visitor's own. Returns why not, as begin().
+export function begin_own(question, lines) {
+  const settings = parse_settings(lines);
+  settings.set('desired', is_given(question) ? 'given' : 'scene');
+  settings.set('alpha', question.id === 'direct' ? '1' : '-1');
+  settings.set('hand', question.is_moving ? 'along' : 'pointer');
+  return begin(question, format_settings(settings), null, true);
+}
+
+// Opens a device file, and says what of it is not shown.
+export function open_device_file(text, name) {
+  let file;
+  try {
+    file = settings_of_file(text);
+  } catch (reason) {
+    return say(`${name}, ${reason}`);
+  }
+  const reason = begin_own(app.question, file.text);
+  if (reason) return say(`${name}: ${reason}`);
+  say(`${name} is open.` + (file.left_out.size ? ` Not shown: ${[...file.left_out].join(', ')}.` : ''));
+  keep_link();
 }
 
 // Returns why these settings are refused, with nothing changed, or nothing.
@@ -105,7 +124,7 @@ export function begin(question, settings, preset, is_own) {
   app.map = null;
   design.end();
   if (question.is_moving) {
-    if (is_new_question) set_speed(question.speed || '1');
+    if (is_new_question) set_speed(question.speed || 1);
     set_paused(matchMedia('(prefers-reduced-motion: reduce)').matches);
     start_runner();
   } else runner.send({kind: 'pause', is_on: true});
@@ -165,7 +184,6 @@ export function start_runner() {
   const text = app.device.settings(),
     x = app.device.value('x');
   warn('');
-  assign_colors();
   app.focus = Math.max(0, app.laws.length - 1);
   runner.start(
     app.laws.map(law => text + '\nlaw=' + law),
@@ -180,12 +198,6 @@ export function begin_map() {
   paint_map();
 }
 
-export function paint_map() {
-  app.map =
-    app.question.id === 'mine' &&
-    design.picture(
-      app.map_figure,
-      engine.catalogue.figures[app.map_figure],
-      engine.catalogue.figures.findIndex(figure => figure.id === 'display'),
-    );
+function paint_map() {
+  app.map = app.question.id === 'mine' && design.picture();
 }

@@ -6,7 +6,7 @@ import {make_tracks} from './tracks.js';
 const late_shown = 1500; // [ms]
 
 // code, bytes: the engine; worker_code: the text of the worker. events: {started(), came() with new rows, refused(reason),
-// log(text, device), replayed()}.
+// log(text)}.
 export function make_runner(code, bytes, worker_code, events) {
   const worker = new Worker(URL.createObjectURL(new Blob([worker_code], {type: 'text/javascript'})));
   let run = 0,
@@ -22,18 +22,16 @@ export function make_runner(code, bytes, worker_code, events) {
       runner.laws = laws;
       worker.postMessage({kind: 'start', settings, run: ++run, point, ahead});
     },
-    // Begins the way of the hand again, and keeps what was.
+    // Begins the way of the hand again, and keeps the figures of the last one.
     again() {
-      runner.last = runner.tracks;
+      runner.last = runner.tracks?.figures;
       worker.postMessage({kind: 'restart', run: ++run});
     },
     // Begins the record of a motion, from the start of the devices on, or ends it.
     record(is_on) {
       worker.postMessage({kind: 'record', is_on, run: is_on ? ++run : run});
     },
-    send(message) {
-      worker.postMessage(message.kind === 'replay' ? {...message, run: ++run} : message);
-    },
+    send: message => worker.postMessage(message),
   };
 
   worker.onmessage = ({data}) => {
@@ -47,7 +45,6 @@ export function make_runner(code, bytes, worker_code, events) {
         runner.tracks.figures[law] = chunk.figures;
       });
       if (data.is_late) late_at = performance.now();
-      runner.is_replay = data.is_replay;
       events.came();
     } else events[data.kind]?.(data);
   };

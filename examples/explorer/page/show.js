@@ -5,7 +5,6 @@ import {
   app,
   brake_states,
   colors,
-  engine,
   follow_tracks,
   form_value,
   is_moving,
@@ -20,61 +19,39 @@ import {
 import {draw_curves} from './curves.js';
 import {set_sentence, short_number} from './format.js';
 import {name_grips, place_grips} from './hand.js';
-import {by_id, speak} from './messages.js';
+import {by_id} from './messages.js';
 import {make_numbers} from './numbers.js';
 import {canvas_pen, svg_pen} from './pen.js';
 import {make_picture, margins_of} from './picture.js';
 import {draw_stage} from './stage.js';
-import {design_sentence, law_name, laws_sentence, moment_sentence, result_columns, still_sentence} from './story.js';
+import {design_sentence, laws_sentence, moment_sentence, still_sentence} from './story.js';
 import {is_way_done, play_log} from './transport.js';
 
 const curves_pen = canvas_pen(by_id('curves')),
-  show_numbers = make_numbers(by_id('numbers'), by_id('copy_numbers'), text => speak('Copied ' + text));
+  show_numbers = make_numbers(by_id('numbers'));
 let last_slow = 0,
   is_even = false; // the curves are drawn in every other frame
 
 function view_of(width, height) {
-  const margins_key = [width, height, app.begun].join();
-  if (app.margins_key !== margins_key) {
-    app.margins_key = margins_key;
-    app.margins = margins_of({
-      device: app.device,
-      info: app.info,
-      scales: app.scales,
-      bounds: app.box,
-      width,
-      height,
-      layers: app.layers,
-      is_moving: is_moving(),
-    });
-  }
   const brakes = brake_states();
   if (width < 520) for (const brake of brakes) brake.text = brake.state; // there is no room for more
-  return {
-    margins: app.margins,
-    is_hollow: app.is_hollow,
-    device: app.device,
-    info: app.info,
-    question: app.question,
+  const view = {
+    ...app,
     normal: app.question.id === 'mine' && !is_space() ? [...form_value('map.normal').split(',').map(Number), 0] : null,
-    scales: app.scales,
     bounds: app.box,
     width,
     height,
-    yaw: app.yaw,
-    pitch: app.pitch,
     is_moving: is_moving() && !!tracks(),
     tracks: tracks(),
-    focus: app.focus,
     colors: is_moving() ? colors() : [],
     value,
-    layers: app.layers,
     brakes,
     pointer: app.is_held ? app.pointer : null,
-    lens_memory: app.lens_memory,
-    map: app.map,
     shows_hand: is_simulated() && !app.is_held && app.is_by_itself,
   };
+  const key = [width, height, app.begun].join();
+  if (app.margins_key !== key) Object.assign(app, {margins_key: key, margins: margins_of(view)});
+  return {...view, margins: app.margins};
 }
 
 function draw() {
@@ -87,16 +64,7 @@ function draw() {
   place_grips();
   if (tracks() && (is_even = !is_even || app.is_paused)) {
     curves_pen.begin();
-    draw_curves(
-      curves_pen,
-      tracks(),
-      app.log ? null : runner.last,
-      app.theme,
-      tracks().laws.map(law_name),
-      colors(),
-      app.info.brakes,
-      !by_id('more').open,
-    );
+    draw_curves(curves_pen, tracks(), app.theme, colors());
   }
 }
 
@@ -104,7 +72,7 @@ export function frame(now) {
   requestAnimationFrame(frame);
   const is_running = !app.is_paused && tracks();
   if (app.log && is_running) play_log(now);
-  if (is_running && is_simulated() && app.is_by_itself && !app.is_recording && !runner.is_replay && is_way_done()) {
+  if (is_running && is_simulated() && app.is_by_itself && !app.is_recording && is_way_done()) {
     app.lens_memory = {};
     runner.again();
   }
@@ -126,10 +94,9 @@ function show_texts() {
       by_id('answer'),
       tracks().laws.length < 2
         ? moment_sentence(tracks(), app.focus, brakes, is_pushing())
-        : laws_sentence(tracks(), runner.last?.figures),
+        : laws_sentence(tracks(), runner.last),
     );
     show_numbers(tracks().layout.values, entry => tracks().value(app.focus, entry.id) || Array(entry.size).fill(NaN));
-    show_results();
   } else {
     set_sentence(
       by_id('answer'),
@@ -166,24 +133,9 @@ function is_pushing() {
   return !normal || !force || !(force[0] * normal[0] + force[1] * normal[1] >= 0);
 }
 
-function show_results() {
-  const target = by_id('results');
-  target.hidden = app.laws.length < 2 || !!app.log || !tracks().figures.length;
-  if (target.hidden || !by_id('more').open) return;
-  const head = result_columns.map(({title, unit}) => `<th scope="col">${title} [${unit}]</th>`),
-    rows = app.laws.map((law, k) => {
-      const figures = tracks().figures[k],
-        cells = result_columns.map(({of, factor}) =>
-          figures && (of < 2 || figures[7] > 1) ? short_number(figures[of] * factor) : '–',
-        );
-      return `<tr><th scope="row" title="${law}"><span class="swatch" style="background:var(--law-${app.slots[k] + 1})"></span>${law_name(law)}</th><td>${cells.join('</td><td>')}</td></tr>`;
-    });
-  target.innerHTML = `<table><thead><tr><th scope="col">law</th>${head.join('')}</tr></thead><tbody>${rows.join('')}</tbody></table>`;
-}
-
 function map_sentence() {
   const words = app.device.layout.find(entry => entry.id === 'display').words;
-  return app.map ? design_sentence(engine.catalogue.figures[app.map_figure], app.map, words) : '';
+  return app.map ? design_sentence(app.map, words) : '';
 }
 
 export function picture_svg() {

@@ -5,34 +5,17 @@
 
 import {circle_path, line_path, points_path} from './pen.js';
 
-const kinds = {
-  ground: 0,
-  link: 1,
-  joint: 2,
-  slide: 3,
-  carriage: 4,
-  pulley: 5,
-  belt: 6,
-  brake: 7,
-  platform: 8,
-  handle: 9,
-};
+const kinds = Object.fromEntries(
+  'ground link joint slide carriage pulley belt brake platform handle'.split(' ').map((name, number) => [name, number]),
+);
 const row_length = 10;
 
 // Rows of numbers as objects. point and other are [m].
 export function drawing_rows(numbers, count) {
   const rows = [];
-  for (let k = 0; k < count; ++k) {
-    const at = k * row_length,
-      row = numbers.subarray ? numbers.subarray(at, at + row_length) : numbers.slice(at, at + row_length);
-    rows.push({
-      kind: row[0],
-      number: row[1],
-      point: [row[2], row[3], row[4]],
-      other: [row[5], row[6], row[7]],
-      size: row[8],
-      angle: row[9],
-    });
+  for (let at = 0; at < count * row_length; at += row_length) {
+    const [kind, number, ...rest] = numbers.subarray(at, at + row_length);
+    rows.push({kind, number, point: rest.slice(0, 3), other: rest.slice(3, 6), size: rest[6], angle: rest[7]});
   }
   return rows;
 }

@@ -65,28 +65,14 @@ function draw_hand(pen, at, theme, size) {
     s = Math.sin(-0.62); // the arm comes from the lower right
   const p = (x, y) => (at[0] + size * (c * x - s * y)).toFixed(1) + ' ' + (at[1] + size * (s * x + c * y)).toFixed(1);
   const fingers = [
-    [
-      [-9, -3],
-      [-17, 20],
-    ],
-    [
-      [-2, -10],
-      [-6, 20],
-    ],
-    [
-      [7, -8],
-      [6, 22],
-    ],
-    [
-      [13, 1],
-      [14, 28],
-    ],
+    ...[[-9, -3, -17, 20], [-2, -10, -6, 20]], // tip and root
+    ...[[7, -8, 6, 22], [13, 1, 14, 28]],
   ];
   pen.path(
     `M${p(-21, 20)}C${p(-24, 40)} ${p(-14, 56)} ${p(-13, 92)}L${p(17, 92)}C${p(17, 62)} ${p(25, 44)} ${p(19, 24)}C${p(8, 12)} ${p(-12, 10)} ${p(-21, 20)}Z`,
     {fill: theme.hand, alpha: 0.24},
   );
-  pen.path(fingers.map(([tip, root]) => `M${p(...tip)}L${p(...root)}`).join(''), {
+  pen.path(fingers.map(([x, y, u, v]) => `M${p(x, y)}L${p(u, v)}`).join(''), {
     stroke: theme.hand,
     width: 9 * size,
     alpha: 0.3,

@@ -38,7 +38,7 @@ export const questions = [
     is_moving: true,
     preset: 'fig9-none',
     laws: ['no_direct_control'],
-    speed: '0.1',
+    speed: 0.1,
     layers: ['cone', 'Fd', 'made', 'locus', 'brakes', 'paths'],
     lead: 'A brake that holds leaves the handle one curve, drawn in blue. The curve leads out of the wall. Ten times slower than real time.',
   },
@@ -95,14 +95,30 @@ export const parts = [
   {id: 'watch', part: 'recommended', title: 'The recommended law'},
 ];
 
-const law_names = {
-  no_direct_control: 'no control',
-  direct_control: 'direct control (as printed)',
-  saturated_direct_control: 'direct control (the paper)',
-  velocity_direct_control: 'velocity control (recommended)',
-  on_off_control: 'on-off control',
+const laws = {
+  no_direct_control: {
+    name: 'no control',
+    look: "The brakes make the force nearest to the wall's, as hard as they can: the hand bounces.",
+  },
+  direct_control: {
+    name: 'direct control (as printed)',
+    look: 'Where the handle moves out, alpha scales the force so that nothing of the resultant is left normal to the wall. Equation (12).',
+  },
+  saturated_direct_control: {
+    name: 'direct control (the paper)',
+    look: "Alpha scales what the brakes can make, as the paper's experiments read it: the brakes let go while the handle moves out. Equation (12).",
+  },
+  velocity_direct_control: {
+    name: 'velocity control (recommended)',
+    look: 'The brakes keep the handle at a small depth by the inertia of the device and their own lag: it glides.',
+  },
+  on_off_control: {
+    name: 'on-off control',
+    look: 'The whole force or none, by a relay that looks ahead by the lag of the brakes.',
+  },
 };
-export const law_name = id => law_names[id] || id;
+export const law_name = id => laws[id].name;
+export const law_look = id => laws[id].look;
 
 // The view in which a preset is shown, by its settings.
 export function question_of(settings, id = '') {
@@ -255,9 +271,9 @@ function leaving(tracks, law) {
 
 // last: the figures of the pass before, which count until this pass has gone on for a while.
 export function laws_sentence(tracks, last) {
-  const is_early = last && !(tracks.figures[0]?.[7] > 1),
+  const is_early = last && !(tracks.figures[0]?.[1] > 1),
     figures = is_early ? last : tracks.figures;
-  const known = tracks.laws.map((law, k) => ({law, figures: figures[k]})).filter(entry => entry.figures?.[7] > 0.2);
+  const known = tracks.laws.map((law, k) => ({law, figures: figures[k]})).filter(entry => entry.figures?.[1] > 0.2);
   if (known.length < 2) return 'The hand comes to the wall.';
   const counts = [...new Set(known.map(entry => entry.figures[0]))].sort((a, b) => b - a);
   const said = counts.map(
@@ -275,17 +291,11 @@ function list(names, is_start = false) {
   return is_start ? text.charAt(0).toUpperCase() + text.slice(1) : text;
 }
 
-// The answer of step 5. known: the numbers of all places in reach, from the least on; classes: how each place
-// displays the wall, with its words; done: share of the map.
-export function design_sentence(figure, {known, classes, done}, words) {
+// The answer of step 5. classes: how each place in reach displays the wall, with its words; done: share of the map.
+export function design_sentence({classes, done}, words) {
   if (done < 1) return `The map is being computed: *${Math.round(100 * done)} %*.`;
-  if (!known.length)
+  if (!classes.length)
     return '*No:* the device reaches none of the places of the map. Its links differ too much in length, or the chain cannot close.';
-  if (figure.id !== 'cosine') {
-    const [median, least, most] = [known[known.length >> 1], known[0], known.at(-1)].map(x => short_number(x)),
-      unit = figure.unit && figure.unit !== '1' ? ' ' + figure.unit : '';
-    return `${figure.look} Over all places in reach the median is *${median}${unit}*, from ${least} to ${most}${unit}.`;
-  }
   const none = classes.filter(place => !/exact|approximate/.test(words[place])).length,
     share = Math.max(1, Math.round((100 * none) / classes.length)),
     task = 'push out of this wall while the hand slides along it.';
@@ -293,13 +303,3 @@ export function design_sentence(figure, {known, classes, done}, words) {
   if (none === classes.length) return `*No:* nowhere in its reach can the brakes ${task} The hand sinks in.`;
   return `*Not everywhere:* at the grey places, *${share} %* of its reach, the brakes cannot ${task} There the hand sinks in.`;
 }
-
-// The columns of the table of laws: figure of sim_figures(), factor to the unit that is shown.
-export const result_columns = [
-  {title: 'bounces', of: 0, factor: 1, unit: '1'},
-  {title: 'max. depth', of: 1, factor: 1e3, unit: 'mm'},
-  {title: 'mean depth', of: 2, factor: 1e3, unit: 'mm'},
-  {title: 'deviation of the depth', of: 3, factor: 1e3, unit: 'mm'},
-  {title: 'a brake sticks', of: 4, factor: 100, unit: '%'},
-  {title: 'pull along the wall', of: 5, factor: 1, unit: 'N'},
-];

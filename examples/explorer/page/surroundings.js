@@ -25,13 +25,11 @@ export function draw_map(pen, picture, theme) {
   );
   const text = (label, at, line, align, color = theme.muted) =>
     pen.label(label, at, y + line, {size: 12, align, color, halo: theme.paper});
-  text(map.texts[0], x, 23);
-  text(map.texts[1], x + width, 23, 'end');
-  text(map.title, x + width, -7, 'end', theme.ink);
-  if (map.none) {
-    pen.path(`M${x - 30} ${y}h16v9h-16Z`, {fill: map.none, stroke: theme.muted, width: 0.8});
-    text('none', x - 22, 23, 'middle');
-  }
+  text('hardly', x, 23);
+  text('exactly', x + width, 23, 'end');
+  text('force out of the wall, cos γ', x + width, -7, 'end', theme.ink);
+  pen.path(`M${x - 30} ${y}h16v9h-16Z`, {fill: map.none, stroke: theme.muted, width: 0.8});
+  text('none', x - 22, 23, 'middle');
 }
 
 // A grid on the floor of the space that the device reaches, so that turning it is seen.

@@ -6,14 +6,11 @@ const track_step = 8; // rows a point [1]
 
 // layout: {row, values} of the engine; laws: ids.
 export function make_tracks(layout, laws) {
-  const columns = new Map(layout.values.map(entry => [entry.id, entry])),
-    rate_at = columns.get('w').size - 1;
+  const columns = new Map(layout.values.map(entry => [entry.id, entry]));
   const histories = laws.map(() => ({
     count: 0,
     time: new Float64Array(track_length),
     depth: new Float64Array(track_length),
-    rate: new Float64Array(track_length),
-    alpha: new Float64Array(track_length),
     x: new Float64Array(3 * track_length),
   }));
   const rows = [],
@@ -26,8 +23,6 @@ export function make_tracks(layout, laws) {
     const at = history.count++ % track_length;
     history.time[at] = number(row, 't') - (start ??= number(row, 't'));
     history.depth[at] = number(row, 'depth');
-    history.rate[at] = number(row, 'w', rate_at);
-    history.alpha[at] = number(row, 'alpha');
     for (let i = 0; i < 3; ++i) history.x[3 * at + i] = number(row, 'x', i);
   }
 

@@ -1,16 +1,17 @@
 // Running and stopping: the simulation, its hand, its record, and a log that is played.
 
-import {app, assign_colors, engine, runner, runner_events, tracks} from './app.js';
+import {app, engine, runner, runner_events, tracks} from './app.js';
+import {device_file_of} from './device_file.js';
 import {by_id, say, warn} from './messages.js';
 import {make_player} from './player.js';
 import {save_text} from './save.js';
 
-runner_events.replayed = () => {
-  set_paused(true);
-  say('The recorded motion has ended.');
-};
 runner_events.refused = ({reason}) => warn(reason);
-runner_events.log = ({text, device}) => {
+runner_events.log = ({text}) => {
+  const law = app.laws[app.focus],
+    simulated = engine.device(app.device.settings() + '\nlaw=' + law),
+    device = device_file_of(app.info.id, law, simulated.form());
+  simulated.end();
   if (device) save_text('explorer_log.device.toml', device, 'application/toml');
   save_text('explorer_log.csv', text, 'text/csv');
   const command = './examples/run replay explorer_log.csv';
@@ -28,8 +29,8 @@ export function set_paused(is_on) {
 }
 
 export function set_speed(factor) {
-  by_id('speed').value = factor;
-  runner.send({kind: 'speed', factor: Number(factor)});
+  app.speed = factor;
+  runner.send({kind: 'speed', factor});
 }
 
 export function set_by_itself(is_on) {
@@ -57,7 +58,7 @@ export function toggle_record(button) {
   app.is_recording = is_on;
   if (is_on && app.is_paused) set_paused(false);
   runner.record(is_on);
-  if (!is_on) for (const id of ['replay', 'download']) by_id(id).disabled = false;
+  if (!is_on) by_id('download').disabled = false;
 }
 
 // Plays a log of the library through the law that is chosen.
@@ -70,7 +71,6 @@ export function open_log(text, name) {
   app.log = make_player(log, law);
   app.laws = [law];
   app.focus = 0;
-  assign_colors();
   runner.send({kind: 'pause', is_on: true});
   const agreement = all ? `; ${equal} of ${all} capacities are those of ${law} to the last digit.` : '.';
   say(`${name}: ${log.count()} lines${agreement}`);
@@ -83,6 +83,6 @@ let last_played = 0;
 export function play_log(now) {
   const passed = Math.min(0.1, (now - last_played) / 1000);
   last_played = now;
-  app.log.advance(passed * Number(by_id('speed').value));
+  app.log.advance(passed * app.speed);
   if (app.log.is_ended) set_paused(true);
 }

@@ -1,6 +1,6 @@
 // The worker: the simulated devices, one for each law, at 1 kHz of real time. All get the pointer of one
-// hand. Messages in: start, settings, pointer, speed, pause, restart, record, log, replay. Messages out:
-// rows, refused, log, replayed.
+// hand. Messages in: start, settings, pointer, speed, pause, restart, record, log. Messages out: rows, refused,
+// log.
 
 import {load_engine} from './engine.js';
 
@@ -14,11 +14,7 @@ let engine,
   is_paused = true,
   due = 0,
   last = 0;
-let hand = 'pointer'; // who moves the handle
-let pointer = {point: [0, 0, 0], is_held: false},
-  recording = null,
-  is_recording = false,
-  replaying = null;
+let pointer = {point: [0, 0, 0], is_held: false};
 
 const handlers = {
   async load({code, bytes}) {
@@ -30,7 +26,6 @@ const handlers = {
   start({settings, run, point, ahead}) {
     for (const simulation of simulations) simulation?.end();
     simulations = settings.map(text => engine.simulation(text));
-    hand = hand_of(settings[0]) || 'pointer';
     const failed = simulations.findIndex(simulation => !simulation);
     if (failed >= 0) {
       postMessage({kind: 'refused', run, reason: engine.error()});
@@ -40,12 +35,9 @@ const handlers = {
     begin_again(run, point);
     if (simulations.length && ahead) advance(ahead, false);
   },
-  settings({text, law_texts}) {
-    hand = hand_of(text) || hand;
-    simulations.forEach((simulation, k) => {
-      if (!simulation.set(law_texts ? text + '\n' + law_texts[k] : text))
-        postMessage({kind: 'refused', run: run_number, reason: engine.error()});
-    });
+  settings({text}) {
+    for (const simulation of simulations)
+      if (!simulation.set(text)) postMessage({kind: 'refused', run: run_number, reason: engine.error()});
   },
   pointer({point, is_held}) {
     pointer = {point, is_held};
@@ -63,25 +55,14 @@ const handlers = {
     simulations.forEach(simulation => simulation.restart());
     begin_again(run);
   },
-  // The hand's motion is recorded as what it gave to each step, from the start of the devices on.
+  // From the start of the devices on
   record({is_on, run}) {
-    if (is_on) {
-      handlers.restart({run});
-      recording = [];
-    }
-    is_recording = is_on;
+    if (is_on) handlers.restart({run});
     simulations.forEach(simulation => simulation.record(is_on));
   },
   log({law}) {
     const simulation = simulations[law];
-    if (simulation) postMessage({kind: 'log', law, text: simulation.log(), device: simulation.device_file()});
-  },
-  replay({run}) {
-    if (!recording || !recording.length) return;
-    take_over(recording[0].hand);
-    simulations.forEach(simulation => simulation.restart());
-    begin_again(run);
-    replaying = {tape: recording, at: 0};
+    if (simulation) postMessage({kind: 'log', law, text: simulation.log()});
   },
 };
 
@@ -92,16 +73,8 @@ function begin_again(run, point) {
   sent = simulations.map(simulation => simulation.cycles());
   if (point) pointer = {point, is_held: false};
   due = 0;
-  replaying = null;
   last = performance.now();
   if (simulations.length) postMessage({kind: 'started', run, layout: simulations[0].layout});
-}
-
-const hand_of = text => /^hand=(\w+)$/m.exec(text)?.[1];
-
-function take_over(by) {
-  hand = by;
-  for (const simulation of simulations) simulation.set('hand=' + by);
 }
 
 function turn() {
@@ -120,37 +93,16 @@ function turn() {
 }
 
 function advance(cycles, is_late) {
-  run_cycles(cycles);
+  for (const simulation of simulations) simulation.step(cycles, pointer.point, pointer.is_held);
   const chunks = simulations.map((simulation, k) => {
     const chunk = simulation.rows_from(sent[k]);
     sent[k] = simulation.cycles();
     return {...chunk, figures: simulation.figures()};
   });
   postMessage(
-    {kind: 'rows', run: run_number, chunks, is_late, is_replay: !!replaying},
+    {kind: 'rows', run: run_number, chunks, is_late},
     chunks.map(chunk => chunk.rows.buffer),
   );
-}
-
-function run_cycles(cycles) {
-  while (cycles > 0) {
-    let count = cycles,
-      point = pointer.point,
-      is_held = pointer.is_held;
-    if (replaying) {
-      const entry = replaying.tape[replaying.at++];
-      if (!entry) {
-        replaying = null;
-        is_paused = true;
-        postMessage({kind: 'replayed', run: run_number});
-        return;
-      }
-      [count, point, is_held] = [entry.count, entry.point, entry.is_held];
-      if (entry.hand !== hand) take_over(entry.hand);
-    } else if (is_recording) recording.push({count, point, is_held, hand});
-    for (const simulation of simulations) simulation.step(count, point, is_held);
-    cycles -= count;
-  }
 }
 
 // Each message waits for those before it, the first for the engine.

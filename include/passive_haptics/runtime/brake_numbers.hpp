@@ -40,8 +40,10 @@ struct brake_numbers {
   /// True if all brakes work both ways.
   bool has_no_bounds() const {
     constexpr double unbounded = switchable_brake_parameters<double, 1>::unbounded;
-    return std::ranges::count(torque_lower, -unbounded) == std::ssize(torque_lower) &&
-           std::ranges::count(torque_upper, unbounded) == std::ssize(torque_upper);
+    const auto are_all = [](const std::vector<double>& bounds, double x) {
+      return std::count(bounds.begin(), bounds.end(), x) == std::ssize(bounds);
+    };
+    return are_all(torque_lower, -unbounded) && are_all(torque_upper, unbounded);
   }
 
   /// As brakes of type B with m brakes: switchable, or brake_parameters without bounds.
