@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iostream>
 
-const ph::half_space<2> table({0, 0.2}, {0, -1});  // a point of the surface [m], the outward normal
+const ph::half_space<2> table({0, 0.16}, {0, -1});  // a point of the surface [m], the outward normal
 
 auto make_controller() {
   const scara arm;
@@ -30,8 +30,8 @@ class arm_control {
 int main() {
   std::cout << ph::reason_for_law(scara(), ph::brakes_of<scara>()) << "\n";
   arm_control control;
-  // A simulated arm instead of yours: 2 mm before the wall, with a hand of 0.5 kg
-  ph::simulated_device<scara> device(scara(), ph::brakes_of<scara>(), 0.5, {0.58, 0.5});
+  // A simulated arm instead of yours: 1 mm before the wall, with a hand of 0.5 kg
+  ph::simulated_device<scara> device(scara(), ph::brakes_of<scara>(), 0.5, {0.3, 1.2});
   double max_depth = 0;
   for (int k = 0; k < 500; ++k) {
     const auto current = control.update({1e-3 * k, device.q(), device.qd(), device.sensed_force()});

@@ -19,8 +19,8 @@ python3 docs/site/python_reference.py >$parts/python_reference.md
 cat >$parts/guide/python_reference.md <<'END'
 # Python reference
 
-The texts of `help()`, for all public names. Arrays are NumPy's, of `float64`: `Numbers` is anything that NumPy makes a vector of, such as a list,
-`Rows` anything that it makes a matrix of, and an `Array` is returned.
+The texts of `help()`, for all public names. Arrays are NumPy's, of `float64`: `Numbers` is anything that NumPy makes a vector of,
+such as a list, `Rows` anything that it makes a matrix of, and an `Array` is returned.
 
 <!-- build/docs/python_reference.md -->
 END

@@ -13,5 +13,8 @@ FNR == 1 { flush(); title = ""; code = 0; page = id_of(FILENAME); file = page ==
 # Each word of the glossary is a section of its own
 page == "glossary" && /^\| [^-]/ && $0 !~ /^\| Word \|/ { split($0, cells, / *\| */)
   printf "[\"%s\",\"%s\",\"%s\",\"%s\"],\n", url, page_title, plain(cells[2]), plain(cells[3]); next }
+# Each question is a section of its own
+/^\| [^|]*\? \| / { split($0, cells, / *\| */)
+  printf "[\"%s\",\"%s\",\"%s\",\"%s\"],\n", url, page_title, plain(cells[2]), plain(cells[3]); next }
 { text = text " " plain($0) }
 END { flush(); print "];" }
