@@ -38,6 +38,7 @@ namespace {
 constexpr std::uint64_t seed = plant_seed;
 constexpr std::size_t plant_count = 300;
 constexpr std::size_t few_plants = 60;  // of laws that bounce on all of them, and with half the time step
+constexpr std::size_t mujoco_runs = 2946;
 constexpr std::size_t planned_runs = 11121 + arm_runs;  // on all cores
 
 std::string text(std::string_view view) { return std::string(view); }
@@ -56,7 +57,7 @@ const named_wall planar{"planar", planar_wall()}, concave{"concave", concave_wal
     convex{"convex", convex_wall()};
 
 // Figs. 8 to 10: every law along each wall, the environment at 1 kHz and at 20 Hz.
-void follow_walls(report& table, page_tables& page) {
+void follow_walls(report& table, page_tables& page, simulation plant = simulation::own) {
   struct cell {
     const named_wall* wall;
     double rate;
@@ -72,6 +73,7 @@ void follow_walls(report& table, page_tables& page) {
       [&](std::size_t k) {
         setup how;
         how.environment_rate = cells[k].rate;
+        how.plant = plant;
         return follow_with_arm(cells[k].which, cells[k].wall->wall, how);
       },
       [&](std::size_t k, const run_result& run) {
@@ -113,6 +115,24 @@ std::vector<reading_cell> both_readings(page_tables& page) {
   std::printf("\nFigs. 8 to 10: %zu hands that yield, brakes just strong enough; medians\n\n%s", hand_count,
               page["paper_reading"].c_str());
   return cells;
+}
+
+// Figs. 8 to 10 with MuJoCo as the plant. True if docs/results.md has its medians.
+bool in_mujoco() {
+  progress_bar::plan(mujoco_runs);
+  page_tables page, strong_brakes;
+  const auto mujoco = read_the_paper(seed, 1e-4, false, simulation::mujoco);
+  page["mujoco"] = plant_table(read_the_paper(seed, 1e-4), mujoco);
+  report table;
+  follow_walls(table, strong_brakes, simulation::mujoco);
+  std::printf("\nWith MuJoCo as the plant: strong brakes, a constant push\n\n%s\n%s",
+              strong_brakes["strong_brakes"].c_str(), strong_brakes["circles"].c_str());
+  std::printf("\n%zu hands that yield, brakes just strong enough; medians\n\n%s\nBoth plants\n\n%s",
+              hand_count, reading_table(mujoco).c_str(), page["mujoco"].c_str());
+  std::printf(
+      "The most power that a brake gave to its device in any time step of the strong brakes: %.0e W\n",
+      table.max_power());
+  return is_printed(page);
 }
 
 // Figures of the middle hand, drawn.
@@ -558,10 +578,14 @@ int main(int argc, char** argv) try {
   line.choice("section", section, {"corners", "scenes", "wide"},
               "only this section, some minutes; no other run has it");
   line.flag("--arms", all_arms, "no more than the whole table of arms, some minutes; else a sample of it");
+  std::string plant = "own";
+  line.choice("--plant", plant, {"own", "mujoco"},
+              "with mujoco only Figs. 8 to 10, in both simulations, some minutes; needs libmujoco-dev");
   numbered_options numbered;
   numbered.add_to(line);
   line.output(directory);
   line.parse(argc, argv);
+  if (plant == "mujoco") return in_mujoco() ? 0 : 1;
   if (!section.empty()) run_sections(argv);
   if (numbered.are_given()) {
     numbered.carry_out(directory);

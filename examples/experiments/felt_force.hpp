@@ -81,14 +81,14 @@ struct felt {
 // Duration of the capacities, and start of averaging [s].
 inline constexpr double felt_until = 0.100, felt_from = 0.050;
 
-// A hand of 1000 kg moves the handle with v: 1 N slows it by 0.1 mm/s in 100 ms.
-template <class M>
+// A hand of a tonne moves the handle with v: 1 N slows it by 0.1 mm/s in 100 ms.
+template <class Plant, class M>
 felt<M> feel_once(const M& arm, const felt_state<M>& state, const ph::brake_vector<M>& capacity) {
   constexpr double hand_mass = 1000, time_step = 1e-4;  // [kg], [s]
   ph::brakes_of<M> brakes;
   brakes.torque_limit.setConstant(1e3);  // far above any capacity
   brakes.time_constant.setZero();
-  ph::simulated_device<M> plant(arm, brakes, hand_mass, state.q);
+  Plant plant(arm, brakes, hand_mass, state.q);
   plant.set_motion(state.q, state.qd);
   const long steps = std::lround(felt_until / time_step), first = std::lround(felt_from / time_step);
   felt<M> result;
@@ -151,7 +151,7 @@ felt_row feel_with(const M& arm, std::size_t states, const Feel& feel) {
 template <class M>
 felt_row feel(const M& arm, std::size_t states) {
   return feel_with(arm, states, [&](const felt_state<M>& state, const ph::brake_vector<M>& capacity) {
-    return feel_once(arm, state, capacity);
+    return feel_once<ph::simulated_device<M>>(arm, state, capacity);
   });
 }
 

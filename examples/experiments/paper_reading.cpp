@@ -14,7 +14,8 @@ bool reproduces(const ph::contact_metrics& without, const ph::contact_metrics& w
          with.retarding_force < without.retarding_force;
 }
 
-std::vector<reading_cell> read_the_paper(std::uint64_t seed, double time_step, bool bands_only) {
+std::vector<reading_cell> read_the_paper(std::uint64_t seed, double time_step, bool bands_only,
+                                         simulation plant) {
   const std::pair<const char*, test_wall> walls[] = {
       {"planar", planar_wall()}, {"concave", concave_wall()}, {"convex", convex_wall()}};
   std::vector<reading_cell> cells;
@@ -30,6 +31,7 @@ std::vector<reading_cell> read_the_paper(std::uint64_t seed, double time_step, b
           setup how = yielding_hand(seed, k);
           how.environment_rate = rate;
           how.time_step = time_step;
+          how.plant = plant;
           return follow_with_arm(which, wall, how).figures;
         });
         cells.push_back(std::move(cell));
@@ -69,6 +71,26 @@ std::string reading_table(const std::vector<reading_cell>& cells) {
                            written("%.0f %%", 100 * median(c.figures, &m::stick_share)),
                            written("%.2f", median(c.figures, &m::hand_force_std)),
                            written("%.2f", median(c.figures, &m::retarding_force))});
+  }
+  return table;
+}
+
+std::string plant_table(const std::vector<reading_cell>& own, const std::vector<reading_cell>& mujoco) {
+  using m = ph::contact_metrics;
+  std::string table = markdown_head({"wall", "law", "separations", "MuJoCo", "mean depth [mm]", "MuJoCo",
+                                     "standard deviation [mm]", "MuJoCo", "retarding force [N]", "MuJoCo"});
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    std::vector<std::string> row{written("%s, %.0f Hz", own[k].wall.c_str(), own[k].rate),
+                                 std::string(name_of(own[k].which))};
+    const auto add = [&](int digits, double unit, auto member) {
+      for (const auto* cells : {&own, &mujoco})
+        row.push_back(written("%.*f", digits, median((*cells)[k].figures, member) / unit));
+    };
+    add(0, 1, &m::separations);
+    add(2, 1e-3, &m::depth_mean);
+    add(3, 1e-3, &m::depth_std);
+    add(3, 1, &m::retarding_force);
+    table += markdown_row(row);
   }
   return table;
 }

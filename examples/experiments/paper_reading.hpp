@@ -24,11 +24,15 @@ struct reading_cell {
 // variation of depth and hand force, less sticking of brake 2, less retarding force.
 bool reproduces(const ph::contact_metrics& without, const ph::contact_metrics& with);
 
-// The planar, concave and convex wall at 1 kHz and 20 Hz, under each of these laws; bands_only: the planar
-// wall, under laws without device parameters.
-std::vector<reading_cell> read_the_paper(std::uint64_t seed, double time_step, bool bands_only = false);
+// The planar wall, the concave and the convex one, each at 1 kHz and at 20 Hz, under each of these laws; of
+// bands_only the planar one, under the laws that need nothing of the device.
+std::vector<reading_cell> read_the_paper(std::uint64_t seed, double time_step, bool bands_only = false,
+                                         simulation plant = simulation::own);
 
 // Markdown table of medians over the hands.
 std::string reading_table(const std::vector<reading_cell>& cells);
+
+// Medians of both plants next to each other, as a table of Markdown.
+std::string plant_table(const std::vector<reading_cell>& own, const std::vector<reading_cell>& mujoco);
 
 }  // namespace experiments

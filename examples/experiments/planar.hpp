@@ -41,7 +41,10 @@ test_wall planar_wall(double slant = 0);  // through (0, 0.225) m, free below, s
 test_wall concave_wall();                 // inside the circle of 0.325 m about (0.11, -0.10) m
 test_wall convex_wall();                  // outside the circle of 0.325 m about (0.11, 0.55) m
 
-// Variations of a run; the defaults are those of the paper's device.
+// The simulation that moves the device.
+enum class simulation { own, mujoco };
+
+// What a run varies; the defaults are those of the paper's device.
 struct setup {
   double environment_rate = 1000;                     // of the virtual environment [Hz]
   double time_step = 1e-4;                            // of the simulation [s]
@@ -56,6 +59,7 @@ struct setup {
   double gap = 0.004;                                 // distance from the wall at the start [m]
   double approach = 0.1;                              // speed into the wall at the start [m/s]
   ph::following_hand_parameters<double> hand = {};
+  simulation plant = simulation::own;
 };
 
 // One line of a run's trace, every 5 ms.

@@ -4,6 +4,10 @@
 #include "control_of.hpp"
 #include "planar.hpp"
 
+#if PASSIVE_HAPTICS_MUJOCO
+#include <passive_haptics/interop/mujoco.hpp>
+#endif
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -37,12 +41,11 @@ any_control<M> control_of(const device<M, Brakes, Model>& d, const Law& control_
                         ph::held_scene(ph::scene(ph::wall(wall)), 1 / how.environment_rate), control_law);
 }
 
-template <class M, class Brakes, class Model>
-run_result follow(const device<M, Brakes, Model>& d, const any_control<M>& control, const test_wall& wall,
-                  const setup& how) {
+template <class Plant, class M, class Brakes, class Model>
+run_result follow_in(Plant plant, const device<M, Brakes, Model>& d, const any_control<M>& control,
+                     const test_wall& wall, const setup& how) {
   const plane_vector x0 = d.real.position(d.start), n = wall.gradient(x0), along(-n[1], n[0]);
   const ph::following_hand<double, 2> hand({1, 0}, x0, how.hand);
-  ph::simulated_device plant(d.real, d.real_brakes, how.hand.mass, d.start);
   const ph::matrix<double, 2, 2> J(ph::jacobian(d.real, d.start));
   plant.set_motion(d.start, J.partialPivLu().solve(how.hand.speed * along - how.approach * n));
 
@@ -66,6 +69,24 @@ run_result follow(const device<M, Brakes, Model>& d, const any_control<M>& contr
   return result;
 }
 
+template <class M, class Brakes, class Model>
+run_result follow(const device<M, Brakes, Model>& d, const any_control<M>& control, const test_wall& wall,
+                  const setup& how) {
+#if PASSIVE_HAPTICS_MUJOCO
+  if constexpr (std::same_as<Model, ph::coulomb_brake<double>>)  // as all that run there
+    if (how.plant == simulation::mujoco)
+      return follow_in(ph::mujoco_device(d.real, d.real_brakes, how.hand.mass, d.start), d, control, wall,
+                       how);
+#endif
+  if (how.plant == simulation::mujoco)
+    throw std::runtime_error(
+        "--plant mujoco: expected an example that was built with MuJoCo; install Debian's "
+        "libmujoco-dev and build it again");
+  return follow_in(ph::simulated_device(d.real, d.real_brakes, how.hand.mass, d.start), d, control, wall,
+                   how);
+}
+
+// Under any of the laws.
 template <class M, class Brakes, class Model>
 run_result follow(const device<M, Brakes, Model>& d, law which, const test_wall& wall, const setup& how) {
   const any_control<M> control =

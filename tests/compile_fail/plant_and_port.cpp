@@ -11,6 +11,20 @@ ph::simulated_device<table> plant(table(), {}, 0.5, {0, 0});
 ph::simulated_device<device> plant(device(), ph::brakes_of<device>(), 0, {0, 0});
 #endif
 
+#ifdef plant_without_readings
+// error: passive_haptics: a plant needs the readings of moving_device
+#include <passive_haptics/plant/wall_following.hpp>
+struct plant {
+  table tool;
+  const table& mechanism() const { return tool; }
+  void advance(double, const V2&, const V2&) {}
+} moved;
+void follow(const ph::following_hand<double, 2>& hand) {
+  ph::follow_wall(moved, [](const ph::device_state<table>&) { return ph::step_result<table>(); }, plane, hand,
+                  {});
+}
+#endif
+
 #ifdef port_that_may_throw
 // error: passive_haptics: a port needs `port_status read(port_sample<encoder_count>&) noexcept`
 #include <passive_haptics/driver/safe_port.hpp>

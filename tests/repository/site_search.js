@@ -10,6 +10,8 @@ const expected = {
   "how do I add a mechanism": "guide_your_mechanism.html",
   "capacity": "glossary.html",
   "which law": "guide_which_law.html",
+  "MuJoCo": "guide_mujoco.html",
+  "simulation": "guide_mujoco.html",
   "equation 12": "equations.html",
   "controller": "classpassive__haptics_1_1controller.html",
   "python following_hand": "guide_python_reference.html",

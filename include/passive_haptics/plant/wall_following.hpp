@@ -7,6 +7,7 @@
 #include <passive_haptics/plant/encoder.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
 #include <passive_haptics/plant/force_sensor.hpp>
+#include <passive_haptics/plant/plant.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
@@ -83,26 +84,28 @@ struct no_observer {
 
 }  // namespace detail
 
-/// Runs the experiment: the hand moves the device along `shape` until the end of the path, max_duration,
-/// max_depth or a depth that is not finite. contact_metrics::end is the reason.
+/// Runs the experiment: the hand moves a Plant along `shape` (the wall whose depth is measured) until the
+/// end of the path, for at most `max_duration`, while the depth is finite and at most `max_depth`. So each
+/// run ends, and contact_metrics::end says how.
 ///
-/// control(device_state<M>) is called once per control period with the values of encoders and force sensor,
-/// first at time 0: reset() a used controller. It returns a value with a brake_vector<M> `capacity`, such as
-/// step_result<M>. observe(wall_following_sample) is called once per time step. Depth and figures use the
-/// true motion. Throws std::invalid_argument with the text of validate(parameters) or check_time_step, or if
-/// there is no watched_brake.
-template <class M, class Model, class Shape, class Control, class Observer = detail::no_observer>
-contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& control, const Shape& shape,
-                            const following_hand<typename M::scalar, M::task_dimension>& hand,
-                            const wall_following_parameters& parameters, Observer&& observe = {}) {
-  using T = typename M::scalar;
+/// control(device_state<M>) is called once a control period with what encoders and force sensor read, the
+/// first time at once, and returns a step_result<M>, or any default-constructible value with a
+/// brake_vector<M> `capacity`. Time begins at 0: call reset() of a controller that has run before.
+/// observe(wall_following_sample) is called once a time step. Depth and figures are the true ones, not those
+/// read. Throws std::invalid_argument with the text of validate(parameters) or check_time_step, or if there
+/// is no watched_brake.
+template <class P, class T, int D, class Shape, class Control, class Observer = detail::no_observer>
+contact_metrics follow_wall(P& device, Control&& control, const Shape& shape,
+                            const following_hand<T, D>& hand, const wall_following_parameters& parameters,
+                            Observer&& observe = {}) {
+  static_assert(is_plant<P, explain>());
+  using M = mechanism_of<P>;
   const wall_following_parameters& p = require_valid(parameters);
   detail::refuse_unless(p.watched_brake >= 0 && p.watched_brake < M::brake_count, "watched_brake",
                         p.watched_brake, "a brake of the device, from 0");
   require_no_error(passive_haptics::check_time_step(
       p.time_step, static_cast<double>(hand.min_time_constant(device.min_mass()))));
-  constexpr int d = M::task_dimension;
-  force_sensor<T, d> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed, p.sensor_scale});
+  force_sensor<T, D> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed, p.sensor_scale});
   contact_meter meter(p.path_end, p.time_step);
   const T dt = static_cast<T>(p.time_step);
   const long steps = std::lround(p.max_duration / p.time_step);
@@ -121,7 +124,7 @@ contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& contro
       decision = control(device_state<M>{time, encoders.q(), encoders.qd(), sensor.read()});
     }
     const task_vector<M> x = device.position();
-    const point<d> n = shape.gradient(x.template cast<double>());
+    const point<D> n = shape.gradient(x.template cast<double>());
     const task_vector<M> normal = n.template cast<T>();
     const double dissipated = device.energy().friction();
     device.advance(dt, decision.capacity,

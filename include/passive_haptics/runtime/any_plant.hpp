@@ -9,7 +9,7 @@
 
 namespace passive_haptics::runtime {
 
-/// A simulated device of any size. Units as in simulated_device.
+/// A simulated_device behind virtual functions, with its units.
 class any_plant {
  public:
   virtual ~any_plant() = default;
