@@ -33,8 +33,8 @@ namespace {
 namespace fs = std::filesystem;
 namespace ph = passive_haptics;
 
-// A mesh has no default, and a wall has a shape
-std::set<std::string> shown = {"mesh_surface_parameters", "wall"};
+// A mesh has no default, a wall has a shape, and a header of interop/ needs another library
+std::set<std::string> shown = {"mesh_surface_parameters", "wall", "chai3d_parameters"};
 
 // Without namespace and template arguments
 template <class P>

@@ -48,7 +48,7 @@ class session {
     }
     check_watchdog();
     for (const auto& setting : quick.settings())
-      std::cout << setting.what << (setting.refused.empty() ? "" : ": refused, " + setting.refused) << "\n";
+      std::cout << setting.what << (setting.refused.empty() ? "" : ": failed, " + setting.refused) << "\n";
     std::cout << home_in_words(configuration_) << release_in_words() << std::flush;
 
     ph::control_loop loop(configuration_.loop);
@@ -87,18 +87,19 @@ class session {
     const ph::release_parameters& release = configuration_.safety.at_release;
     const double watchdog = port_.port().watchdog();
     const auto seconds = [](double s) { return ph::detail::number_text(s) + " s"; };
-    std::string text = "at a release: 0 A at once";
+    std::string text = "at a release: 0 A";
     if (release.policy == ph::release_policy::ramp)
       text = "at a release: down to 0 A within " + seconds(release.ramp_time);
     if (release.policy == ph::release_policy::hold)
       text =
           "at a release: the last currents stay, at the end of the program for " + seconds(release.hold_time);
-    text += "; where the loop dies or stops its supervisor does so, after " +
-            seconds(configuration_.supervisor.latest()) + " at most\nwhere both do: ";
-    return text + (watchdog > 0
-                       ? "the device's watchdog lets go after " + seconds(watchdog) + "\n"
-                       : "nothing lets go, as the device has no watchdog: keep the emergency stop in "
-                         "reach\n");
+    text += "; if the loop dies or stops, its supervisor does so after " +
+            seconds(configuration_.supervisor.latest()) + " at most\nif both do: ";
+    return text +
+           (watchdog > 0
+                ? "the device's watchdog releases the brakes after " + seconds(watchdog) + "\n"
+                : "nothing releases the brakes, as the device has no watchdog: keep the emergency stop in "
+                  "reach\n");
   }
 
   // After the loop has released the brakes: continues the release each cycle to its end, then 0 A. A threaded
@@ -196,7 +197,8 @@ class session {
 
   // Once, without waiting: the recorder may be dead
   void warn_of_a_full_log() {
-    constexpr std::string_view text = "warning: log: cycles are lost, as nobody writes them down in time\n";
+    constexpr std::string_view text =
+        "warning: log: cycles are lost, as the recorder does not write them in time\n";
     if (std::exchange(warned_, true) || !warnings_.is_open()) return;
     if (write(warnings_.get(), text.data(), text.size()) < 0) return;
   }
@@ -232,10 +234,10 @@ class session {
                   << " samples rejected ("
                   << ph::detail::number_text(std::round(1000 * samples->share()) / 10) << " %)\n";
     if (port_.arrivals().found() && configuration_.port != "simulated")
-      std::cout << "the times of the encoders look like those of their arrival: "
+      std::cout << "the times of the encoders look like arrival times: "
                 << std::lround(100 * port_.arrivals().share())
-                << " % came soon after the one before; rates are wrong by that (docs/guide/driver.md)\n";
-    if (port_.needs_homing()) std::cout << "the encoders lost their way: start again, at the home pose\n";
+                << " % came soon after the one before, which makes rates wrong (docs/guide/driver.md)\n";
+    if (port_.needs_homing()) std::cout << "the position is lost: start the program again in the home pose\n";
     if (!configuration_.log.empty())
       std::cout << "log: " << configuration_.log
                 << (recorded_ ? "" : ".part, as far as it came: the recorder failed") << ", "

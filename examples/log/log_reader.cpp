@@ -127,8 +127,8 @@ bool log_reader::next() {
     return false;
   }
   if (has_version_ && lines_.is_last())
-    fail(0, "the line has no end",
-         "each line of this version to have one; the log was cut off: remove this line, or end it");
+    fail(0, "the line has no newline",
+         "one at the end of each line; the log was cut off: remove this line, or end it");
   split(lines_.line(), fields_);
   if (fields_.size() > names_.size())
     fail(names_.size() + 1, in_quotes(fields_[names_.size()]), std::to_string(names_.size()) + " cells");
@@ -158,7 +158,7 @@ double log_reader::number(std::size_t column) const {
     fail(column + 1, in_quotes(field), expected + cause);
   if (*stop == ';' || *stop == '\t') fail(column + 1, in_quotes(field), "cells separated as the names are");
   fail(column + 1, in_quotes(field.substr(static_cast<std::size_t>(stop - field.data()))) + " after a number",
-       expected + " alone; units stand in the header");
+       expected + " without a unit; write units into the header");
 }
 
 // Quotes within a quoted cell are doubled.

@@ -126,7 +126,7 @@ void run(const replay_options& chosen, const ph::runtime::catalogue& all) {
   const std::string device = device_file(chosen);
   const auto control = controller_from(device, all);
   std::istream& in = chosen.log.empty() ? static_cast<std::istream&>(text) : file;
-  log_reader log(in, chosen.log.empty() ? "the log that is made up here" : chosen.log);
+  log_reader log(in, chosen.log.empty() ? "the built-in log" : chosen.log);
   const std::filesystem::path path = chosen.directory / "replay.csv";
   output_file out(path);
   const replay_summary lines = replay(log, out.stream(), *control, progress());

@@ -132,19 +132,19 @@ TEST_F(record_on_bench, ends_with_the_brakes_released_and_the_name_of_what_was_w
   expect("force sensor: device lost", [](bench_device& d) { d.sensor_status = status::failed; });
   expect("encoders: no sample", [](bench_device& d) { d.read_status = status::no_sample; });
   expect("force sensor: damaged samples", [](bench_device& d) { d.sensor_status = status::bad_sample; });
-  expect("brakes: the device takes no currents", [](bench_device& d) { d.write_status = status::no_sample; });
+  expect("brakes: the device rejects currents", [](bench_device& d) { d.write_status = status::no_sample; });
   // Its clock stands still
   expect("encoders: samples too late", [](bench_device& d) { d.sample.time = 0.3; });
   expect("encoders: samples too late", [](bench_device& d) { d.sample.time = NAN; });
   expect("encoders: samples too late", [](bench_device& d) { d.sample.time -= 1e6; });
-  expect("encoders: the same sample again and again", [](bench_device& d) { d.sample.sequence = 299; });
-  expect("force sensor: the same sample again and again", [](bench_device& d) { d.force.sequence = 299; });
+  expect("encoders: the same sample repeatedly", [](bench_device& d) { d.sample.sequence = 299; });
+  expect("force sensor: the same sample repeatedly", [](bench_device& d) { d.force.sequence = 299; });
   expect("encoder 2: NaN or infinity", [](bench_device& d) { d.sample.value[1] = NAN; });
   expect("force channel 3: NaN or infinity", [](bench_device& d) { d.force.value[2] = NAN; });
   // The time of the loop stands still
   expect("the clock went back", [](bench_device& d) { d.now = 0.3; });
   expect("the clock went back", [](bench_device& d) { d.now = NAN; });
-  expect("a cycle began far too late", [](bench_device& d) { d.now = d.sample.time = d.force.time += 0.2; });
+  expect("a cycle began too late", [](bench_device& d) { d.now = d.sample.time = d.force.time += 0.2; });
   p.max_reading = 7;
   expect("force channel 3: saturated", [](bench_device&) {});
 }

@@ -205,15 +205,15 @@ TEST(brake_calibration, names_what_is_wrong) {
            {[](curve& p) { p.points = 0; },
             "points = 0, expected 3, as the last entry of the table that is not 0 is table[2]; set points, "
             "or "
-            "make the entries 0 that are not meant"},
+            "set the unused entries to 0"},
            {[](curve& p) { p.points = 2; }, "points = 2, expected 3, as"},
            {[](curve& p) { p.table[15].torque = NAN; }, "points = 3, expected 16, as"},
            {[](curve& p) { p.table[3].current = 1; }, "points = 3, expected 4, as"},
            {[](curve& p) { p = {}, p.table[0].torque = 1; }, "points = 0, expected 1, as"},
            {[](curve& p) { p.torque_per_ampere = 1.6; },
-            "torque_per_ampere [N m/A] = 1.6, expected its default, 1, as the table is read in its place; "
-            "leave "
-            "one of both out"},
+            "torque_per_ampere [N m/A] = 1.6, expected its default, 1, as the table is used instead; "
+            "remove "
+            "one of the two"},
        }) {
     ph::brake_curves<2> curves{};
     curves[1].points = 3;

@@ -68,7 +68,7 @@ void expect_within(const std::string& text, const std::string& begin, const std:
 }
 
 const std::string or_none =
-    ": read the sensor anew for each sample, or give sensor_noise::none where there is none";
+    ": read the sensor again for each sample, or pass sensor_noise::none for one without noise";
 
 // ---- a sensor that hangs
 
@@ -124,7 +124,7 @@ TEST(a_number_that_is_none, among_means_is_named) {
       [](means& all) {
         for (auto& mean : all) mean.torque *= 1e200;
       },
-      "sum of the squared residuals where a fit begins = inf, expected a finite number: give finite "
+      "sum of the squared residuals where a fit begins = inf, expected a finite number: pass finite "
       "samples, in the units of the formula");
 }
 
@@ -144,15 +144,15 @@ TEST(means_that_are_no_more_than_constants, determine_nothing) {
 
 TEST(a_loop, needs_a_ramp_and_a_step_needs_a_loop) {
   EXPECT_EQ(thrown_by([] { ph::fit_magnetorheological_loop({}); }),
-            "ramp.max_current [A] = 0, expected > 0: record a ramp, and give its fit_current_ramp");
+            "ramp.max_current [A] = 0, expected > 0: record a ramp, and pass its fit_current_ramp");
   EXPECT_EQ(thrown_by([] { ph::fit_magnetorheological_step(noisy_step(), {}); }),
-            "loop.max_current [A] = 0, expected > 0: give the fit_magnetorheological_loop of a ramp");
+            "loop.max_current [A] = 0, expected > 0: pass the fit_magnetorheological_loop of a ramp");
 }
 
 // ---- signs and units
 
 TEST(a_torque_of_the_wrong_sign, is_refused) {
-  const std::string fix = ": give torque_per_unit of the bench the other sign";
+  const std::string fix = ": change the sign of torque_per_unit of the bench";
   for (const bool up : {true, false}) {
     std::mt19937_64 bits(1);
     const samples all = step(up, [&](double t) { return (up ? -rise(t) : rise(t)) + noise(bits); });
@@ -176,9 +176,11 @@ TEST(no_torque_at_all, is_neither_of_the_wrong_sign_nor_below_zero) {
 
 TEST(a_torque_that_is_below_zero_or_falls_at_last, is_refused) {
   expect_within(ramp_error([](double I) { return I - 0.1; }), "ramp.residual_torque [N m] = -0.1",
-                ", expected >= 0: set torque_at_zero of the bench while nothing pulls");
-  expect_within(ramp_error([](double I) { return std::min(I, 1.5 - I); }), "ramp.rising[10] [N m] = 0.5",
-                ": ramp up to where the torque still rises, and let the brake cool before");
+                ", expected >= 0: set torque_at_zero of the bench while no load acts");
+  expect_within(
+      ramp_error([](double I) { return std::min(I, 1.5 - I); }), "ramp.rising[10] [N m] = 0.5",
+      ", the maximum, which was at a lower current: ramp up only as long as the torque rises, and let "
+      "the brake cool first");
 }
 
 TEST(a_brake_that_is_saturated, has_a_curve_that_can_be) {
@@ -205,7 +207,7 @@ TEST(milliseconds, are_no_seconds) {
   EXPECT_NEAR(seconds, 0.03, 0.001);
   for (auto& s : all) s.time *= 1000;
   EXPECT_EQ(thrown_by([&] { ph::fit_step_response(all); }),
-            "mean time between two samples [s] = 1, expected at most 0.2: give times in seconds, not "
+            "mean time between two samples [s] = 1, expected at most 0.2: pass times in seconds, not "
             "milliseconds, or record faster");
   // Of a bench so fast that this does not show
   std::mt19937_64 bits(1);
@@ -214,7 +216,7 @@ TEST(milliseconds, are_no_seconds) {
       [&](int k, double) { return rise(std::max(1e-4 * k - 0.2, 0.0)) + noise(bits); });
   for (auto& s : quick) s.time *= 100;
   expect_within(thrown_by([&] { ph::fit_step_response(quick); }), "time constant [s] = ",
-                "expected at most 5: give the times of the samples in seconds, not milliseconds");
+                "expected at most 5: pass the times of the samples in seconds, not milliseconds");
 }
 
 // ---- samples of each test
@@ -242,13 +244,13 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_step) {
            row{[](auto& all) {
                  for (auto& s : all) s.current = 0;
                },
-               "steps of the current = 0, expected 1: record one up and one down, apart"},
+               "steps of the current = 0, expected 1: record the step up and the step down separately"},
            row{[](auto& all) { all.back().current = 0; },
-               "steps of the current = 2, expected 1: record one up and one down, apart"},
+               "steps of the current = 2, expected 1: record the step up and the step down separately"},
            row{[](auto& all) {
                  for (auto& s : all) s.torque = 0.01 * (std::lround(1e3 * s.time) % 2);
                },
-               "change of the torque [N m] = ", "a step beyond the noise: step to a larger current"},
+               "change of the torque [N m] = ", "a step above the noise: step to a larger current"},
            row{[](auto& all) { all.resize(290); }, "record after the step [s] = 0.08", ": record longer"},
        }) {
     samples all = noisy_step();
@@ -287,9 +289,8 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_sweep) {
   EXPECT_EQ(error(0, 0.1), "nothing");
   EXPECT_EQ(error(0, 0), "duration [s] = 0, expected a finite number > 0");
   EXPECT_EQ(error(0, 0.3), "windows = 3, expected at least 8: record longer, or shorter windows");
-  EXPECT_EQ(
-      error(1, 0.1),
-      "samples[501].current [A] = 1, expected that of the first: a sweep of the rate is at one current");
+  EXPECT_EQ(error(1, 0.1),
+            "samples[501].current [A] = 1, expected that of the first: record the sweep at one current");
   EXPECT_EQ(sweep_errors(means(10))[0],
             "fastest rate [rad/s] = 0, expected > 0: turn the axis, slowly and fast");
 }

@@ -127,7 +127,8 @@ TEST(a_child_process, that_does_not_end_is_killed) {
 // Through a signal of a child that says nothing, and where next to no time is left.
 TEST(a_child_process, that_is_not_ready_is_no_child) {
   const hears_signals on;
-  const std::string late = "the process was not ready in time: was it stopped?";
+  const std::string late =
+      "the process was not ready in time; check whether it was stopped, then start the program again";
   const auto throws = [](const std::string& text) {
     return [text]() -> std::string { throw std::runtime_error(text); };
   };
@@ -148,7 +149,7 @@ TEST(a_child_process, that_is_not_ready_is_no_child) {
     std::string error;
   };
   for (const auto& [ready, patience, error] :
-       {row{throws("no device"), 10, "no device"}, row{throws(""), 10, "an exception without a text"},
+       {row{throws("no device"), 10, "no device"}, row{throws(""), 10, "an exception without a message"},
         row{ends, 10, "the process ended before it was ready"}, row{never(true), 0.1, late},
         row{never(false), 5e-4, late}, row{never(false), 0, late}}) {
     ph::child_process child;
@@ -332,10 +333,10 @@ TEST_F(refused_calls, without_which_a_child_keeps_no_file_are_replaced) {
 TEST_F(refused_calls, that_cannot_be_replaced_are_named) {
   const auto start = [] { return ph::child_process().start(ready, until_parent_is_gone); };
   EXPECT_EQ(refused({{SYS_close_range, ENOSYS}, {SYS_openat, ENOENT}, {SYS_prlimit64, EPERM}}, start),
-            "close_range: Function not implemented; allow it where system calls are filtered, mount /proc, "
+            "close_range: Function not implemented; allow it if system calls are filtered, mount /proc, "
             "or set `ulimit -n 4096`");
   const std::string help =
-      ": Operation not permitted; allow it where system calls are filtered, as in a container";
+      ": Operation not permitted; allow it if system calls are filtered, as in a container";
   EXPECT_EQ(refused({{SYS_setpgid, EPERM}}, start), "setpgid" + help);
   EXPECT_EQ(refused({{SYS_rt_sigaction, EPERM}}, start), "sigaction" + help);
   EXPECT_EQ(refused({{SYS_prctl, EPERM}}, start), "prctl(PR_SET_PDEATHSIG)" + help);

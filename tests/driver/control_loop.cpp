@@ -111,7 +111,7 @@ TEST_F(a_control_loop, that_a_throwing_law_ends_releases_first_and_tells_what_wa
   EXPECT_EQ(released, (std::vector{ph::fault::law_failed, ph::fault::law_failed}));
   const auto by_number = run([](const ph::loop_cycle&) -> std::int64_t { throw 3; });
   EXPECT_EQ(by_number.ended_by, ph::fault::law_failed);
-  EXPECT_EQ(by_number.exception, "something that is no std::exception");
+  EXPECT_EQ(by_number.exception, "an exception that is not a std::exception");
 }
 
 TEST_F(a_control_loop, ends_before_the_next_cycle_when_it_is_told_to_stop) {

@@ -125,12 +125,14 @@ TEST(force_calibration, names_what_is_wrong) {
             "gravity[0] [m/s^2] = inf, expected a finite number");
   EXPECT_EQ(error([](parameters& p) { p.newtons_per_unit(1, 2) = NAN; }),
             "newtons_per_unit(1, 2) [N] = nan, expected a finite number");
-  EXPECT_EQ(error([](parameters& p) { p.gravity = {0, -9.81}; }),
-            "handle_mass [kg] = 0, expected > 0 where gravity is given, as nothing else reads it; weigh the "
-            "handle, or leave gravity out");
+  EXPECT_EQ(
+      error([](parameters& p) { p.gravity = {0, -9.81}; }),
+      "handle_mass [kg] = 0, expected > 0 if gravity is given, as gravity acts on nothing else; weigh the "
+      "handle, or remove gravity");
   EXPECT_EQ(error([](parameters& p) { p.gravity = {0, -9.81}, p.handle_mass = 0.2; }), "");
-  EXPECT_EQ(error([](parameters& p) { p.newtons_per_unit.row(1) = p.newtons_per_unit.row(0); }),
-            "newtons_per_unit has dependent rows, expected one that distinguishes all directions");
+  EXPECT_EQ(
+      error([](parameters& p) { p.newtons_per_unit.row(1) = p.newtons_per_unit.row(0); }),
+      "newtons_per_unit has dependent rows, expected independent rows: measure each direction by itself");
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ TEST(net_ft, a_name_that_nobody_knows_is_named) {
 TEST(net_ft, silence_refusal_and_somebody_else_are_told_apart) {
   sensor peer;
   net_ft silent(at(peer.port(), 0.2));
-  EXPECT_TRUE(has(silent.open(), "no record in 200 ms; is it powered and connected"));
+  EXPECT_TRUE(has(silent.open(), "no record in 200 ms; check its power and cable"));
   peer.hear();
   EXPECT_GE(peer.requests.size(), 1u);
   EXPECT_LE(peer.requests.size(), 3u) << "asks now and then, not in a loop";
@@ -145,10 +145,10 @@ TEST(net_ft, silence_refusal_and_somebody_else_are_told_apart) {
                                 peer.hear();
                                 peer.send({1, 2, 3});
                               }),
-                  "something else responds"));
+                  "the host sends no RDT records"));
 
   const int free_port = sensor().port();
-  EXPECT_TRUE(has(net_ft(at(free_port, 0.2)).open(), "does not listen"));
+  EXPECT_TRUE(has(net_ft(at(free_port, 0.2)).open(), "the host rejects the port"));
 }
 
 TEST(net_ft, reads_forces_and_torques_in_their_units) {

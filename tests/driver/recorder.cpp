@@ -86,7 +86,7 @@ TEST(a_recorder, writes_all_down_in_another_process) {
   ph::recorder<record, checking_sink> log(checking_sink{&written});
   ASSERT_EQ(log.start(), "");
   const pid_t process = log.pid();
-  EXPECT_EQ(log.start(), "start() was called before: the process runs");
+  EXPECT_EQ(log.start(), "start() was called twice: the process is running; call it once");
   EXPECT_EQ(log.pid(), process);
   std::uint64_t pushed = 0;
   EXPECT_EQ(allocations_in([&] {

@@ -139,7 +139,7 @@ TEST(a_safe_port, gives_no_current_before_it_is_activated) {
   EXPECT_EQ(r.device.writes, 10) << "a device with a watchdog hears of it";
   EXPECT_TRUE(r.port.activate());
   EXPECT_FALSE(r.port.activate()) << "a double start";
-  EXPECT_EQ(r.port.open(), "open() was called before: the device is open");
+  EXPECT_EQ(r.port.open(), "open() was called twice: the device is open; call it once");
   r.cycle();
   EXPECT_EQ(r.device.currents, r.wanted);
 }

@@ -118,7 +118,7 @@ TEST_F(serial_port, that_cannot_be_opened_is_named) {
   EXPECT_EQ(missing.open(),
             "serial port /dev/no_such_port: no such file; plug the device in, or find its name by `ls "
             "/dev/serial/by-id`");
-  EXPECT_TRUE(has(port(at("/dev/null")).open(), "is no serial port"));
+  EXPECT_TRUE(has(port(at("/dev/null")).open(), "not a serial port"));
   const uid_t user = geteuid();
   if (user == 0 && seteuid(65534) != 0) GTEST_SKIP() << "root may open any file";
   EXPECT_TRUE(has(port(at("/etc/shadow")).open(), "dialout"));
@@ -128,12 +128,12 @@ TEST_F(serial_port, that_cannot_be_opened_is_named) {
 TEST_F(serial_port, silence_is_told_from_noise_and_from_a_line_that_is_cut_one_way) {
   serial_peer peer;
   port silent(at(peer.path(), 0.3));
-  EXPECT_TRUE(has(peer.open(silent, [] {}), "no answer in 300 ms; not a byte came"));
+  EXPECT_TRUE(has(peer.open(silent, [] {}), "no answer in 300 ms; no byte was received"));
   port noisy(at(peer.path(), 0.3));
   EXPECT_TRUE(has(peer.open(noisy, [&] { peer.send({0, 7, 0, 9, 9}); }),
-                  "no whole frame in them: is baud = 1000000"));
+                  "no whole frame; check that baud = 1000000"));
   port cut(at(peer.path(), 0.3));
-  EXPECT_TRUE(has(peer.open(cut, [&] { peer.tick(); }), "the way to the device is cut"));
+  EXPECT_TRUE(has(peer.open(cut, [&] { peer.tick(); }), "check the line to the device"));
 }
 
 TEST_F(serial_port, another_version_of_the_protocol_and_another_device_are_named) {
@@ -142,7 +142,7 @@ TEST_F(serial_port, another_version_of_the_protocol_and_another_device_are_named
   serial::hello h;
   h.version = 9;
   EXPECT_TRUE(has(peer.open(p, [&] { peer.send(encoded(pack(0, h))); }),
-                  "the device speaks version 9 of the protocol, expected 1"));
+                  "protocol version of the device = 9, expected 1"));
   port q(at(peer.path()));
   EXPECT_TRUE(has(peer.open(q), "the device has 2 encoders and 1 brake, expected 2 encoders and 2 brakes"));
 }
@@ -156,7 +156,7 @@ TEST_F(serial_port, a_device_that_goes_away_while_it_is_asked_is_no_time_out) {
                               if (peer.heard.empty()) peer.hear();
                               else peer.hang_up();
                             }),
-                  "went away"));
+                  "was disconnected"));
 }
 
 TEST_F(serial_port, an_answer_among_noise_is_found) {

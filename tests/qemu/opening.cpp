@@ -21,7 +21,7 @@ outcome missing_file() {
 outcome not_comedi() {
   return says(port_parameters("/dev/null"), "device = /dev/null is not a Comedi device");
 }
-outcome without_driver() { return says(port_parameters(configured_by_hand), " has no card behind it"); }
+outcome without_driver() { return says(port_parameters(configured_by_hand), " belongs to no card"); }
 
 outcome without_permission() {
   chmod(self_configured, 0600);

@@ -13,6 +13,7 @@ const expected = {
   "MuJoCo": "guide_mujoco.html",
   "simulation": "guide_mujoco.html",
   "equation 12": "equations.html",
+  "CHAI3D": "guide_chai3d.html",
   "controller": "classpassive__haptics_1_1controller.html",
   "python following_hand": "guide_python_reference.html",
   "read_log": "guide_python_reference.html",

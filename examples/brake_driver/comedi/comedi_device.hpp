@@ -35,7 +35,7 @@ class comedi_device {
     std::ostringstream text;
     if (first < 0) {
       text << name << ": " << file_ << " (" << comedi_get_board_name(get()) << ") has no subdevice that is "
-           << type_name(type) << "; take a card that has";
+           << type_name(type) << "; use a card that has one";
     } else if (wanted >= comedi_get_n_subdevices(get())) {
       text << name << " = " << index << ", expected 0 to " << comedi_get_n_subdevices(get()) - 1
            << ", as many as " << file_ << " (" << comedi_get_board_name(get()) << ") has; subdevice " << first
@@ -57,7 +57,7 @@ class comedi_device {
            << ", the number of channels of subdevice " << c.subdevice;
     } else if (c.max_sample = comedi_get_maxdata(get(), c.subdevice, c.channel); c.max_sample == 0) {
       text << name << " = " << c.channel << ": subdevice " << c.subdevice
-           << " reports no largest sample (maxdata), expected at least 1; this driver cannot be used";
+           << " reports no maximum sample (maxdata), expected at least 1; use another driver";
     }
     return text.str();
   }
@@ -114,7 +114,7 @@ class comedi_device {
                "log in again";
       case ENODEV:
       case ENXIO:
-        return " has no card behind it: plug the card in and load its driver (sudo modprobe NAME); a card "
+        return " belongs to no card: plug the card in and load its driver (sudo modprobe NAME); a card "
                "that does not "
                "configure itself needs comedi_config, too";
       case ENOTTY:

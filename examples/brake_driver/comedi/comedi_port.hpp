@@ -40,8 +40,8 @@ class comedi_port {
     if (text.empty()) text = find_outputs();
     if (text.empty()) text = find_counters();
     if (text.empty() && write({}) != ph::port_status::ok) {
-      text = p_.device + " refuses 0 V: " + comedi_strerror(comedi_errno());
-      release();  // for outputs that still accept it
+      text = p_.device + " rejects 0 V: " + comedi_strerror(comedi_errno());
+      release();  // the outputs that do not refuse
     }
     for (std::size_t i = 0; i < counters_.size() && p_.start_counters && text.empty(); ++i)
       text = start_counter(i);
@@ -107,11 +107,10 @@ class comedi_port {
     const double needed = b.max_current / b.amperes_per_volt;
     if (!(c.low <= 0 && c.high > 0)) {
       text << name << "range = " << b.range << " (" << c.low << " to " << c.high
-           << " V), expected one from 0 V, where the brake is free, upwards: the channel has"
-           << device_.ranges(c);
+           << " V), expected one from 0 V, for a free brake, upwards: the channel has" << device_.ranges(c);
     } else if (needed > c.high) {
-      text << name << "max_current [A] = " << b.max_current << " takes " << needed << " V, expected at most "
-           << c.high << " V: lower it, or take another of the ranges" << device_.ranges(c);
+      text << name << "max_current [A] = " << b.max_current << " needs " << needed << " V, expected at most "
+           << c.high << " V: lower it, or choose another range" << device_.ranges(c);
     }
     return text.str();
   }
@@ -137,7 +136,7 @@ class comedi_port {
       return "";
     std::ostringstream text;
     text << name << "channel = " << c.channel << " counts to " << c.max_sample
-         << ", expected 2^n - 1, the same of all encoders: take counters of one kind";
+         << ", expected 2^n - 1, the same for all encoders: use counters of one kind";
     return text.str();
   }
 
@@ -164,7 +163,7 @@ class comedi_port {
     done = done && comedi_set_counter_mode(card, s, 0, mode) >= 0 &&
            comedi_arm(card, s, NI_GPCT_ARM_IMMEDIATE) >= 0;
     if (done) return "";
-    return ph::detail::indexed("encoders[", i, "].setup = ni_quadrature: the card refuses (") +
+    return ph::detail::indexed("encoders[", i, "].setup = ni_quadrature: the card rejects it (") +
            comedi_strerror(comedi_errno()) +
            "); expected a counter of National Instruments, else setup = keep";
   }

@@ -37,10 +37,10 @@ std::string without_library(const std::string& text) {
 std::string free_side(ph::runtime::any_parameters shape) {
   for (const auto& f : shape.fields()) {
     const std::string_view key = f.about.name;
-    if (key == "normal") return "does its normal point to the free side";
-    if (key == "inside") return "is its inside right (solid: free outside, hollow: free inside)";
+    if (key == "normal") return "check that its normal points to the free side";
+    if (key == "inside") return "check its inside (solid: free outside, hollow: free inside)";
   }
-  return "is it free on the right side (free inside, it is a complement)";
+  return "check its free side (free inside, it is a complement)";
 }
 
 template <int D>
@@ -99,8 +99,7 @@ void read_curves(toml_section from, configuration& c, ph::runtime::brake_numbers
     brakes.torque_limit[i] = torque_of_current(curve, curve.current_limit);
   }
   if (tables == count)
-    from.refuse("torque_per_ampere",
-                "no slope where all brakes have a table, which is read in its place; remove it");
+    from.refuse("torque_per_ampere", "no slope if all brakes have a table, which is used instead; remove it");
   if (std::any_of(loss.begin(), loss.end(), [](double x) { return x != 0; }))
     from.refuse("loss_per_kelvin", "0, as no sensor of this program reads a brake's temperature; remove it");
   from.require(validate(c.curves));
@@ -160,15 +159,15 @@ void read_sensor_frame(toml_section& from, configuration& c) {
     from.require(
         "link is missing, expected how far each joint turns the sensor: both angles of a " +
         c.device.mechanism.name +
-        " are measured from the base, so [1, 0] or [0, 1] on a driven link, [0, 0] where the sensor does not "
-        "turn; no such sum is the angle of a distal link");
+        " are measured from the base, so [1, 0] or [0, 1] on a driven link, [0, 0] if the sensor does not "
+        "rotate; distal links are not supported");
   for (int i = 0; i < joints.joints; ++i)
     c.sensor_link.link[i] = joints.slides[static_cast<std::size_t>(i)] || !joints.angles_add_up ? 0 : 1;
   read_first(from, "link", c.sensor_link.link, joints.joints);
   for (int i = 0; i < joints.joints; ++i)
     if (joints.slides[static_cast<std::size_t>(i)] && c.sensor_link.link[i] != 0)
       from.refuse("link", std::string(joints.all(true) ? "0" : "0 for joint " + std::to_string(i + 1)) +
-                              ", as a slide does not turn the sensor; remove it");
+                              ", as a slide does not rotate the sensor; remove it");
   from.read("mounting", c.sensor_link.mounting);
   check(from, c.sensor_link);
 }
@@ -192,7 +191,7 @@ void read_sensor(toml_section from, configuration& c) {
     c.sensor = "none";
     from.read("type", c.sensor, {"none"},
               ": the handle of a " + c.device.mechanism.name +
-                  " rotates in space, and no sensor that rotates with it is read");
+                  " rotates, and the program supports no sensor that rotates with it");
   } else {
     from.read("type", c.sensor, {"simulated", "comedi", "net_ft", "none"});
   }
@@ -220,7 +219,8 @@ void read_sensor(toml_section from, configuration& c) {
   from.read("tare", c.tare);
   from.read("tare_tolerance", c.tare_tolerance);
   if (!c.tare)
-    from.refuse("tare_tolerance", "tare = true beside it, else nothing is tared; remove one of both");
+    from.refuse("tare_tolerance",
+                "tare = true, without which nothing is tared; set tare = true, or remove the key");
   check(from, c.force);
   check(from, ph::steady_parameters{.tolerance = c.tare_tolerance});
 }
@@ -249,7 +249,7 @@ void read_comedi(toml_section& from, const configuration& c, comedi_port_paramet
   for (const auto& [key, terminals] : {std::pair{"counter_a", &a}, std::pair{"counter_b", &b}})
     if (setup == "keep" && std::any_of(terminals->begin(), terminals->end(), is_given))
       from.refuse(key,
-                  "counter_setup = \"ni_quadrature\" beside it, else no terminal is set; add it, or "
+                  "counter_setup = \"ni_quadrature\", without which no terminal is set; add it, or "
                   "remove the key");
   for (std::size_t i = 0; i < size; ++i) {
     card.brakes[i] = {channel[i], range[i], gain[i], c.safety.currents.max_current[i]};
@@ -265,7 +265,8 @@ void read_port(toml_section from, configuration& c) {
   if (c.port == "comedi") {
     const int count = c.mechanism.brakes();
     if (count != c.mechanism.encoders() || count < 2 || count > 3)
-      from.refuse("type", "\"simulated\" or \"serial\": a card has two or three brakes with an encoder each");
+      from.refuse("type",
+                  "\"simulated\" or \"serial\": a card supports two or three brakes with an encoder each");
     if (count == 3) c.comedi.emplace<1>();
     std::visit([&](auto& card) { read_comedi(from, c, card); }, c.comedi);
   } else if (c.port == "serial") {
@@ -276,7 +277,7 @@ void read_port(toml_section from, configuration& c) {
 void read_simulation(toml_section from, configuration& c) {
   if (!c.device.brake_models.empty())
     for (const char* key : {"brake", "brake_lag"})
-      from.refuse(key, "no brakes here, as the file has [[brakes.model]]; remove one of both");
+      from.refuse(key, "no brakes in [simulation], as the file has [[brakes.model]]; remove one of the two");
   c.simulation.direction.resize(static_cast<std::size_t>(c.mechanism.dimension()));
   from.read_all(c.simulation);
 }
@@ -344,12 +345,11 @@ configuration read_configuration(const std::string& path) {
   read_simulation(file.section("simulation"), c);
   file.finish();
   if (auto from = file.section("brakes"); !from.has("continuous_current"))
-    from.refuse("heat", "continuous_current beside it, over which a coil gets warm; add it, or remove heat");
+    from.refuse("heat", "continuous_current, above which a coil heats up; add it, or remove heat");
   if (c.port == "comedi" && c.safety.at_release.policy != ph::release_policy::zero)
     file.require(
-        "[safety] at_release, expected \"zero\": a card under Comedi has no watchdog, so that its currents "
-        "would "
-        "stay where the program dies");
+        "[safety] at_release, expected \"zero\": a card under Comedi has no watchdog, so its currents "
+        "stay if the program dies");
   if (c.safety.hold_over < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
     file.require(
         "[safety] hold_over and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");

@@ -67,9 +67,8 @@ std::string likely_cause(const configuration& c, const std::string& free_side) {
     return "; angles beyond a turn look like degrees: in radians they are " +
            numbers_in_words("%.4f", radians, joints.joints);
   }
-  return "; " + free_side + "; is the pose that of this device, in " +
-         for_joints(c, "radians, not degrees", "metres, not millimetres") +
-         "; is the wall where it should be?";
+  return "; " + free_side + "; check that the pose is that of this device, in " +
+         for_joints(c, "radians, not degrees", "metres, not millimetres") + ", and the position of the wall";
 }
 
 }  // namespace
@@ -96,7 +95,7 @@ std::string home_in_words(const configuration& c) {
     else if (distance >= 0) text += millimetres(distance) + " in front of it\n";
     else
       text += millimetres(-distance) + " inside it" +
-              (distance > -min_remarked ? "\n" : ": " + wall.free_side + "?\n");
+              (distance > -min_remarked ? "\n" : ": " + wall.free_side + "\n");
   }
   return text;
 }
@@ -106,7 +105,7 @@ std::string home_error(const configuration& c) {
   const std::string pose = "pose = " + pose_in_words(c);
   if (!ph::all_finite(x))
     return "pose = " + angles_in_words(c) +
-           ", expected one in which the mechanism has a handle; are lengths and pose those of this device?";
+           ", expected a pose that the mechanism can take; check its lengths and the pose";
   if (const wall_depth deepest = deepest_wall(c.walls, x); deepest.is_over(c.start.max_start_depth)) {
     const named_wall& wall = c.walls[static_cast<std::size_t>(deepest.number - 1)];
     return pose + ", " + millimetres(deepest.depth) + " inside wall " + std::to_string(deepest.number) +
@@ -118,7 +117,7 @@ std::string home_error(const configuration& c) {
 }
 
 std::string not_activated_in_words(const wall_depth& deepest) {
-  if (!std::isfinite(deepest.depth)) return "not activated: it is not known where the handle is";
+  if (!std::isfinite(deepest.depth)) return "not activated: the position of the handle is unknown";
   return "not activated: the handle is " + millimetres(deepest.depth) + " inside wall " +
          std::to_string(deepest.number) + ", more than max_start_depth; move it out";
 }

@@ -116,12 +116,13 @@ class net_ft {
     }
     const std::string waited =
         "no record in " + std::to_string(std::lround(1e3 * parameters_.open_timeout)) + " ms; ";
-    if (other) return name + waited + "something else responds there: is it a Net F/T with RDT enabled?";
-    if (refused)
+    if (other)
       return name + waited +
-             "the host is there but does not listen: enable RDT on its web page, check the port";
-    return name + waited + "is it powered and connected, and this computer in its subnet (`ping " +
-           parameters_.host + "`)?";
+             "the host sends no RDT records; check that it is a Net F/T and that RDT is enabled";
+    if (refused)
+      return name + waited + "the host rejects the port; enable RDT on its web page, and check the port";
+    return name + waited + "check its power and cable, and that this computer is in its subnet (`ping " +
+           parameters_.host + "`)";
   }
 
   ph::port_status read(ph::port_sample<channel_count>& to) noexcept {

@@ -40,7 +40,7 @@ std::string text(const char* format, Arguments... arguments) {
 // Remedy for released brakes; the recorder's parent is the loop.
 std::string way_back(const record& r) {
   if (r.state != ph::port_state::released || r.reason.what == ph::fault::user) return "";
-  return r.needs_homing ? "start again, at the home pose"
+  return r.needs_homing ? "start again in the home pose"
                         : "when that is over: kill -USR1 " + std::to_string(getppid());
 }
 
@@ -190,7 +190,7 @@ std::string report_sink::loss() const {
   const std::uint64_t all = lost_ + missing_;
   if (!file_ || all == 0) return {};
   return "log " + name_ + ": " + std::to_string(all) + " cycles lost: " +
-         (lost_ == 0            ? "they came faster than they could be written"
+         (lost_ == 0            ? "the recorder could not write them in time"
           : file_->is_removed() ? "its .part was removed"
                                 : file_->error());
 }

@@ -137,7 +137,7 @@ class serial_line {
       case EBUSY: return "another program drives it; end that program (`fuser -v` with this file names it)";
       case ENXIO:
       case ENODEV:
-      case EIO: return "there is a file but no device behind it; plug the device in";
+      case EIO: return "no device belongs to this file; plug the device in";
       default: return std::strerror(error);
     }
   }
@@ -153,7 +153,8 @@ class serial_line {
   std::string set_up(int baud) {
     if (const std::string text = check_baud("baud [bit/s]", baud); !text.empty()) return text;
     termios settings;
-    if (tcgetattr(fd_.get(), &settings) != 0) return "is no serial port but another kind of file";
+    if (tcgetattr(fd_.get(), &settings) != 0)
+      return "not a serial port; find its name by `ls /dev/serial/by-id`";
     cfmakeraw(&settings);
     settings.c_cflag |= CLOCAL | CREAD;
     settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
@@ -165,8 +166,9 @@ class serial_line {
     if (tcsetattr(fd_.get(), TCSANOW, &settings) != 0 || tcgetattr(fd_.get(), &result) != 0)
       return std::string("cannot be set up: ") + std::strerror(errno);
     if (cfgetospeed(&result) != cfgetospeed(&settings))
-      return ph::detail::error_text("baud [bit/s]", baud, "a rate that this port can do");
-    // FTDI chips hold received bytes for 16 ms unless low latency is set; other lines reject it without harm.
+      return ph::detail::error_text("baud [bit/s]", baud, "a rate that this port supports");
+    // An FTDI chip keeps what it received for 16 ms unless low latency is set; a line that cannot do it
+    // refuses, and that is all right.
     serial_struct driver;
     if (ioctl(fd_.get(), TIOCGSERIAL, &driver) == 0) {
       driver.flags |= int(ASYNC_LOW_LATENCY);

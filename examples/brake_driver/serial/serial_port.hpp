@@ -192,7 +192,7 @@ class serial_port {
         });
       }
     }
-    if (lost_) return "the device went away before it sent its name";
+    if (lost_) return "the device was disconnected before it sent its name; connect it again";
     return answered ? error_of_hello(hello_, encoders_, brakes_)
                     : error_of_silence(parameters_, bytes, packets);
   }

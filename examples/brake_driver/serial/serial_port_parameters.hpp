@@ -35,12 +35,12 @@ using ph::validate;
 inline std::string error_of_silence(const serial_port_parameters& p, std::size_t bytes, std::size_t frames) {
   const std::string start = "no answer in " + std::to_string(std::lround(1e3 * p.open_timeout)) + " ms; ";
   if (bytes == 0)
-    return start + "not a byte came: is the board powered, is its firmware running, is it this port?";
+    return start + "no byte was received; check the power of the board, its firmware and the port";
   if (frames == 0)
     return start + std::to_string(bytes) +
-           " bytes came, with no whole frame in them: is baud = " + std::to_string(p.baud) +
-           " that of the firmware, is it this port?";
-  return start + "samples came: the way to the device is cut, check the line";
+           " bytes were received, but no whole frame; check that baud = " + std::to_string(p.baud) +
+           " is that of the firmware, and check the port";
+  return start + "samples were received, but no answer; check the line to the device";
 }
 
 /// Error text of a hello, empty if there is none.
@@ -49,7 +49,7 @@ inline std::string error_of_hello(const serial::hello& h, int encoders, int brak
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };
   if (h.version != serial::protocol_version)
-    return "the device speaks version " + std::to_string(h.version) + " of the protocol, expected " +
+    return "protocol version of the device = " + std::to_string(h.version) + ", expected " +
            std::to_string(serial::protocol_version) + "; flash the firmware that came with this program";
   if (h.encoders != encoders || h.brakes != brakes)
     return "the device has " + counted(h.encoders, "encoder") + " and " + counted(h.brakes, "brake") +

@@ -34,7 +34,7 @@ inline std::string check_time_constant(const char* name, double time_constant) {
   if (time_constant <= max_time_constant) return {};
   return detail::error_text(name, time_constant,
                             detail::indexed("at most ", max_time_constant,
-                                            ": give the times of the samples in seconds, not milliseconds"));
+                                            ": pass the times of the samples in seconds, not milliseconds"));
 }
 
 /// Throws std::invalid_argument with the first invalid number: fewer samples than `least`, a value that is
@@ -60,7 +60,7 @@ inline void require_samples(std::span<const bench_sample> samples, std::size_t l
       (samples.back().time - samples.front().time) / static_cast<double>(samples.size() - 1);
   detail::refuse_unless(period <= max_sample_period, "mean time between two samples [s]", period,
                         detail::indexed("at most ", max_sample_period,
-                                        ": give times in seconds, not milliseconds, or record faster"));
+                                        ": pass times in seconds, not milliseconds, or record faster"));
 }
 
 /// Throws std::invalid_argument if the axis stands still or moves backwards in one of `parts` equal parts of

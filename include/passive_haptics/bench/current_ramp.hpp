@@ -70,21 +70,22 @@ inline std::string validate(const current_ramp& ramp) {
   };
   if (!(ramp.max_current > 0))
     return detail::error_text("max_current [A]", ramp.max_current,
-                              "> 0: record a ramp, and give its fit_current_ramp");
+                              "> 0: record a ramp, and pass its fit_current_ramp");
   if (!(top.value > residual.value + doubt(top.standard_error)))
     return detail::error_text(
         "rising[10] [N m]", top.value,
         top.value < residual.value - doubt(top.standard_error)
-            ? "more than residual_torque: give torque_per_unit of the bench the other sign"
+            ? "more than residual_torque: change the sign of torque_per_unit of the bench"
             : "more than residual_torque: ramp up to a larger current");
   if (!(residual.value >= -doubt(residual.standard_error)))
     return detail::error_text("residual_torque [N m]", residual.value,
-                              ">= 0: set torque_at_zero of the bench while nothing pulls");
+                              ">= 0: set torque_at_zero of the bench while no load acts");
   if (top.value < most.value - doubt(std::hypot(most.standard_error, top.standard_error)))
-    return detail::error_text("rising[10] [N m]", top.value,
-                              detail::indexed("no less than ", most.value,
-                                              ", which is there at less current: ramp up to where the torque "
-                                              "still rises, and let the brake cool before"));
+    return detail::error_text(
+        "rising[10] [N m]", top.value,
+        detail::indexed("no less than ", most.value,
+                        ", the maximum, which was at a lower current: ramp up only as long as "
+                        "the torque rises, and let the brake cool first"));
   const std::string error = validate(ramp.curve());
   return error.empty() ? error : std::string("curve().").append(error).append(": ramp more slowly");
 }

@@ -62,7 +62,7 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
   curve_fit<N> fit{.value = start};
   matrix<double, N + 1, N + 1> least = squares_at(start);
   detail::refuse_unless(std::isfinite(least(N, N)), "sum of the squared residuals where a fit begins",
-                        least(N, N), "a finite number: give finite samples, in the units of the formula");
+                        least(N, N), "a finite number: pass finite samples, in the units of the formula");
   double lambda = 1e-3;
   for (int step = 0; step < max_steps && lambda < 1e12; ++step) {
     matrix<double, N, N> damped = least.template topLeftCorner<N, N>();

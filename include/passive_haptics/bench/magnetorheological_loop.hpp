@@ -59,7 +59,7 @@ inline magnetorheological_step fit_magnetorheological_step(std::span<const bench
                                                            const magnetorheological_loop& loop,
                                                            sensor_noise noise = sensor_noise::present) {
   detail::refuse_unless(loop.max_current > 0, "loop.max_current [A]", loop.max_current,
-                        "> 0: give the fit_magnetorheological_loop of a ramp");
+                        "> 0: pass the fit_magnetorheological_loop of a ramp");
   const auto torque = fit_step_response(samples, noise);
   const std::size_t step = detail::step_of_current(samples);
   const bench_sample &last_before = samples[step - 1], &first_after = samples[step];

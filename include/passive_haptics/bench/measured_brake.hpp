@@ -37,8 +37,8 @@ inline std::string check_measured(const char* name, const estimate& found, const
 
 /// Returns an error text with what to do, empty if there is none.
 inline std::string validate(const measured_brake& found) {
-  const char *const step_up = "record a larger step up, and give its fit_step_response",
-                    *const step_down = "record a larger step down, and give its fit_step_response";
+  const char *const step_up = "record a larger step up, and pass its fit_step_response",
+                    *const step_down = "record a larger step down, and pass its fit_step_response";
   if (std::string text = detail::check_measured("time_constant [s]", found.time_constant, step_up);
       !text.empty())
     return text;
@@ -49,7 +49,7 @@ inline std::string validate(const measured_brake& found) {
   if (const std::string text = validate(found.ramp); !text.empty()) return std::string("ramp.").append(text);
   const std::string error = check_value("rate_dead_band", found.rate_dead_band, "rad/s", range::positive);
   if (error.empty()) return {};
-  return std::string(error).append(": give rate_dead_band(resolution, window, period) of its encoder");
+  return std::string(error).append(": pass rate_dead_band(resolution, window, period) of its encoder");
 }
 
 /// Combines a step up, a step down and a ramp. rate_dead_band: see the member [rad/s]. Throws
@@ -57,9 +57,9 @@ inline std::string validate(const measured_brake& found) {
 inline measured_brake measured_brake_of(const step_response& up, const step_response& down,
                                         const current_ramp& ramp, double rate_dead_band) {
   detail::refuse_unless(up.change.value > 0, "up.change [N m]", up.change.value,
-                        "> 0: give the step up first, then that down");
+                        "> 0: pass the step up first, then the step down");
   detail::refuse_unless(down.change.value < 0, "down.change [N m]", down.change.value,
-                        "< 0: give the step up first, then that down");
+                        "< 0: pass the step up first, then the step down");
   return require_valid(measured_brake{up.time_constant, down.time_constant, ramp, rate_dead_band});
 }
 

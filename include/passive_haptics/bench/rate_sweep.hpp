@@ -24,7 +24,7 @@ inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_samp
   for (std::size_t first = 0, k = 0; k < samples.size(); ++k) {
     detail::refuse_unless(samples[k].current == samples[0].current,
                           detail::indexed("samples[", k, "].current [A]"), samples[k].current,
-                          "that of the first: a sweep of the rate is at one current");
+                          "that of the first: record the sweep at one current");
     const double elapsed = samples[k].time - samples[first].time;
     if (elapsed < duration) continue;
     double sum = 0;
@@ -69,7 +69,7 @@ curve_fit<N> fit_against_rate(std::span<const rate_and_torque> means, sensor_noi
   constexpr double sure = 5;  // standard errors
   const auto count = static_cast<double>(means.size());
   refuse_unless(sum / count >= -sure * fit.deviation / std::sqrt(count), "mean torque against the turn [N m]",
-                sum / count, ">= 0: give torque_per_unit of the bench the other sign");
+                sum / count, ">= 0: change the sign of torque_per_unit of the bench");
   return fit;
 }
 

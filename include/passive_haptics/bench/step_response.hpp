@@ -27,7 +27,8 @@ inline std::size_t step_of_current(std::span<const bench_sample> samples) {
     step = k;
     ++steps;
   }
-  refuse_unless(steps == 1, "steps of the current", steps, "1: record one up and one down, apart");
+  refuse_unless(steps == 1, "steps of the current", steps,
+                "1: record the step up and the step down separately");
   return step;
 }
 
@@ -73,11 +74,11 @@ inline step_response fit_step_response(std::span<const bench_sample> samples,
   const double error = std::max(best.deviation, detail::min_noise * detail::max_torque(samples)) /
                        std::sqrt(static_cast<double>(end - tail));
   detail::refuse_unless(std::abs(best.value[1]) > sure * error, "change of the torque [N m]", best.value[1],
-                        "a step beyond the noise: step to a larger current");
+                        "a step above the noise: step to a larger current");
   const bool rises = samples[step].current > samples[step - 1].current;
   detail::refuse_unless((best.value[1] > 0) == rises, "change of the torque [N m]", best.value[1],
                         std::string(rises ? "> 0 as the current rises" : "< 0 as the current falls")
-                            .append(": give torque_per_unit of the bench the other sign"));
+                            .append(": change the sign of torque_per_unit of the bench"));
   const double recorded = samples.back().time - t_step, needed = best.value[3] + 5 * best.value[2];
   detail::refuse_unless(recorded >= needed, "record after the step [s]", recorded,
                         detail::indexed("at least t_d + 5 T = ", needed, ": record longer"));

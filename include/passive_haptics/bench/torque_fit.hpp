@@ -34,7 +34,7 @@ curve_fit<N> fit_torques(const std::string& which, const Samples& samples, senso
                          std::initializer_list<vector<double, N>> starts, const Residual& residual) {
   const auto or_none = [](const char* expected) {
     return std::string(expected).append(
-        ": read the sensor anew for each sample, or give sensor_noise::none where there is none");
+        ": read the sensor again for each sample, or pass sensor_noise::none for one without noise");
   };
   const auto differs = [&](const auto& s) { return s.torque != samples.front().torque; };
   if (noise == sensor_noise::present && std::ssize(samples) > N)

@@ -101,7 +101,7 @@ class control_loop {
       } catch (const std::exception& e) {
         fail(e.what());
       } catch (...) {
-        fail("something that is no std::exception");
+        fail("an exception that is not a std::exception");
       }
 #else
       go_on = cycle(now);

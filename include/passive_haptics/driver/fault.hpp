@@ -43,12 +43,12 @@ constexpr std::string_view to_string(fault f) {
     case fault::device_lost: return "device lost";
     case fault::sample_missing: return "no sample";
     case fault::sample_damaged: return "damaged samples";
-    case fault::sample_repeated: return "the same sample again and again";
+    case fault::sample_repeated: return "the same sample repeatedly";
     case fault::sample_out_of_order: return "samples out of order";
     case fault::sample_late: return "samples too late";
     case fault::device_restarted: return "the device restarted";
-    case fault::write_refused: return "the device takes no currents";
-    case fault::channel_invalid: return "invalid, says the device";
+    case fault::write_refused: return "the device rejects currents";
+    case fault::channel_invalid: return "reported invalid by the device";
     case fault::value_not_finite: return "NaN or infinity";
     case fault::count_out_of_range: return "a count beyond the range of its counter";
     case fault::encoder_jump: return "jumped";
@@ -58,7 +58,7 @@ constexpr std::string_view to_string(fault f) {
     case fault::current_not_valid: return "the commanded current is NaN, infinite or negative";
     case fault::law_failed: return "the control law failed";
     case fault::overruns: return "cycles took too long";
-    case fault::cycle_late: return "a cycle began far too late";
+    case fault::cycle_late: return "a cycle began too late";
     case fault::clock_jump: return "the clock went back";
     case fault::suspended: return "the machine was suspended";
     case fault::supervisor_lost: return "the supervisor is lost, or released the brakes";

@@ -57,10 +57,12 @@ class safe_port {
 
   /// Opens device and sensor. Returns an error or an empty string.
   std::string open() {
-    if (state_ != port_state::closed) return "open() was called before: the device is open";
+    if (state_ != port_state::closed) return "open() was called twice: the device is open; call it once";
     std::string error = port_.open();
     if (error.empty() && !release_.is_at_once() && !(watchdog(port_) > 0))
-      error = "at_release.policy, expected zero: a device without a watchdog keeps currents for ever";
+      error =
+          "at_release.policy, expected zero: a device without a watchdog keeps its currents; set zero, or "
+          "use a device with a watchdog";
     if (error.empty()) error = sensor_.open();
     encoders_.set_counter_bits(counter_bits(port_));
     if (error.empty()) error = period_.error(encoders_.wrap_time(), counter_bits(port_));

@@ -24,7 +24,7 @@ inline error_message check_time_step(double time_step, double fastest) {
   if (!(time_step > fastest)) return {};
   return detail::error_text("fastest time constant of hand and device [s]", fastest,
                             "at least the time step, " + detail::value_text(time_step) +
-                                "; shorten the step, or give a softer hand or more mass");
+                                "; reduce the step, or use a softer hand or more mass");
 }
 
 /// Impedance of the hand along the wall and into it. The paper does not print these values; with them the

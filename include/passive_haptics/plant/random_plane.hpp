@@ -104,7 +104,7 @@ random_plane<M> draw_plane(const M& mechanism, const workspace<M>& where, double
         J.inverse() * (static_cast<T>(speed) * plane.direction - static_cast<T>(approach) * plane.normal);
     return plane;
   }
-  require_no_error("no plane of this workspace can be followed");
+  require_no_error("none of the sampled planes is within reach of the arm; draw another device");
   return {};
 }
 

@@ -52,7 +52,8 @@ struct wall_following_parameters {
   /// Requires control_period >= time_step.
   std::string rules() const {
     if (control_period >= time_step) return {};
-    return "control_period [s] is shorter than time_step, expected a multiple of it";
+    return detail::error_text("control_period [s]", control_period,
+                              "at least time_step, " + detail::value_text(time_step));
   }
 };
 

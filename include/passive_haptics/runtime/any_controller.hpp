@@ -132,7 +132,7 @@ class controller_of final : public any_controller {
     if (Settles<M> && !brakes.has_no_bounds())
       throw std::invalid_argument(
           "passive_haptics: brakes have a torque_lower or torque_upper, expected none: a controller of a "
-          "mechanism with more joints than task dimensions takes such brakes in C++ alone");
+          "mechanism with more joints than task dimensions supports such brakes only in C++");
     return brakes.as<controller_brakes<M>>();
   }
   controller<M, S, L, controller_brakes<M>> control_;

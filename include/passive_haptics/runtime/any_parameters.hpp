@@ -164,7 +164,9 @@ class any_parameters {
   template <class P>
   const P& as() const {
     const void* found = held_->as(typeid(P));
-    if (found == nullptr) throw std::logic_error("passive_haptics: parameters of another type");
+    if (found == nullptr)
+      throw std::logic_error(
+          "passive_haptics: the parameters have a different type, expected that of as<P>()");
     return *static_cast<const P*>(found);
   }
 

@@ -39,7 +39,7 @@ TEST_F(opening_a_comedi_port, names_the_device_that_it_cannot_open_and_what_to_d
     expect_error("device = /dev/comedi7" + text);
   };
   expect(EACCES, " may not be opened by this user: join its group");
-  expect(ENODEV, " has no card behind it: plug the card in");
+  expect(ENODEV, " belongs to no card: plug the card in");
   expect(ENOTTY, " is not a Comedi device: name one");
   expect(EIO, " cannot be opened: Input/output error");
 }
@@ -56,8 +56,8 @@ TEST_F(opening_a_comedi_port, names_a_subdevice_of_the_wrong_type) {
   plugged.subdevices.pop_back();
   plugged.subdevices.pop_back();
   expect_error(
-      "encoders[0].subdevice: /dev/comedi0 (double) has no subdevice that is a counter; take a card that "
-      "has");
+      "encoders[0].subdevice: /dev/comedi0 (double) has no subdevice that is a counter; use a card that "
+      "has one");
 }
 
 TEST_F(opening_a_comedi_port, names_a_channel_that_the_card_lacks) {
@@ -76,21 +76,21 @@ TEST_F(opening_a_comedi_port, names_a_range_that_does_not_fit_and_those_that_the
   p.brakes[0].range = 3;
   expect_error("brakes[0].range = 3, expected a range in volts");
   p.brakes[0].range = 2;
-  expect_error("brakes[0].range = 2 (1 to 5 V), expected one from 0 V, where the brake is free, upwards");
+  expect_error("brakes[0].range = 2 (1 to 5 V), expected one from 0 V, for a free brake, upwards");
   p.brakes[0].range = 1;
   p.brakes[0].max_current = 3;
-  expect_error("brakes[0].max_current [A] = 3 takes 6 V, expected at most 5 V: lower it, or take another");
+  expect_error("brakes[0].max_current [A] = 3 needs 6 V, expected at most 5 V: lower it, or choose another");
   p.brakes[0].range = 0;
   EXPECT_EQ(port(p).open(), "");
 }
 
 TEST_F(opening_a_comedi_port, names_a_largest_sample_that_makes_no_sense) {
   plugged.subdevices[3].max_sample = 0xffff;
-  expect_error("encoders[1].channel = 0 counts to 65535, expected 2^n - 1, the same of all encoders");
+  expect_error("encoders[1].channel = 0 counts to 65535, expected 2^n - 1, the same for all encoders");
   plugged.subdevices[2].max_sample = plugged.subdevices[3].max_sample = 999;
   expect_error("encoders[0].channel = 0 counts to 999, expected 2^n - 1");
   plugged.subdevices[1].max_sample = 0;
-  expect_error("brakes[0].channel = 0: subdevice 1 reports no largest sample (maxdata), expected at least 1");
+  expect_error("brakes[0].channel = 0: subdevice 1 reports no maximum sample (maxdata), expected at least 1");
 }
 
 TEST_F(opening_a_comedi_port, frees_brakes_that_an_earlier_program_left_on) {
@@ -102,7 +102,7 @@ TEST_F(opening_a_comedi_port, frees_brakes_that_an_earlier_program_left_on) {
 TEST_F(opening_a_comedi_port, fails_if_it_may_not_write) {
   plugged.subdevices[1].value = {60000, 50000};
   plugged.subdevices[1].broken[0] = true;
-  expect_error("/dev/comedi0 refuses 0 V: Input/output error");
+  expect_error("/dev/comedi0 rejects 0 V: Input/output error");
   EXPECT_EQ(output(1), zero) << "the other brake is free";
 }
 
@@ -122,7 +122,7 @@ TEST_F(opening_a_comedi_port, sets_counters_up_for_quadrature_if_asked_to) {
 
   p.start_counters = plugged.refuses_set_up = true;
   EXPECT_EQ(port(p).open(),
-            "encoders[0].setup = ni_quadrature: the card refuses (Invalid argument); "
+            "encoders[0].setup = ni_quadrature: the card rejects it (Invalid argument); "
             "expected a counter of National Instruments, else setup = keep");
 }
 

@@ -137,11 +137,12 @@ TEST_F(a_configuration, takes_each_mechanism_that_it_can_drive) {
   expect_named({
       {"[mechanism]\ntype = \"five_bar_with_four_brakes\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\ntype = "
        "\"none\"\n[port]\ntype = \"comedi\"",
-       "8: port.type = 'comedi', expected \"simulated\" or \"serial\": a card has two or three brakes with "
+       "8: port.type = 'comedi', expected \"simulated\" or \"serial\": a card supports two or three brakes "
+       "with "
        "an encoder each\n"},
       {arm_in_space + "[sensor]\ntype = \"net_ft\"",
-       "13: sensor.type = 'net_ft', expected \"none\": the handle of a spatial_chain_3 rotates in "
-       "space, and no sensor that rotates with it is read\n"},
+       "13: sensor.type = 'net_ft', expected \"none\": the handle of a spatial_chain_3 rotates, "
+       "and the program supports no sensor that rotates with it\n"},
       {"[mechanism]\ntype = \"delta\"\n[sensor]\nlink = [1, 1, 1]",
        "4: unknown key 'sensor.link', expected one "},
       {arm,
@@ -150,7 +151,8 @@ TEST_F(a_configuration, takes_each_mechanism_that_it_can_drive) {
       {"[[brakes.model]]",
        "1: brakes.model = [ a table ], expected 2 tables [[brakes.model]], one for each "},
       {"[[brakes.model]]\n[[brakes.model]]\n[simulation]\nbrake = \"coulomb\"",
-       "4: simulation.brake = 'coulomb', expected no brakes here, as the file has [[brakes.model]]"},
+       "4: simulation.brake = 'coulomb', expected no brakes in [simulation], as the file has "
+       "[[brakes.model]]"},
   });
   const outcome o = check(arm + "[port]\ntype = \"serial\"\n[sensor]\ntype = \"none\"\n");
   EXPECT_EQ(o.status, 0) << o.err;
@@ -185,21 +187,21 @@ TEST_F(a_configuration, says_nothing_that_nobody_reads) {
   const std::string five_bar = "[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\n";
   expect_named({
       {tables + "table_2 = [[0, 0], [1, 1]]\ntorque_per_ampere = 1.5",
-       "4: brakes.torque_per_ampere = 1.5, expected no slope where all brakes have a table, "},
+       "4: brakes.torque_per_ampere = 1.5, expected no slope if all brakes have a table, "},
       {"[brakes]\ntable_2 = []", "2: brakes.table_2 = [], expected 2 to 16 pairs of amperes"},
-      {"[brakes]\nheat = 5", "2: brakes.heat = 5, expected continuous_current beside it, "},
+      {"[brakes]\nheat = 5", "2: brakes.heat = 5, expected continuous_current, above which "},
       {"[brakes]\nloss_per_kelvin = 0.002",
        "2: brakes.loss_per_kelvin = 0.002, expected 0, as no sensor of this program reads"},
       {five_bar, "5: [sensor] link is missing, expected how far each joint turns the sensor: both angles "},
       {"[mechanism]\ntype = \"xy_table\"\n[sensor]\nlink = [1, 1]",
-       "4: sensor.link = [ 1, 1 ], expected 0, as a slide does not turn the sensor; remove it"},
+       "4: sensor.link = [ 1, 1 ], expected 0, as a slide does not rotate the sensor; remove it"},
       {"[sensor]\ngravity = [0, -9.81]",
-       "1: [sensor] handle_mass [kg] = 0, expected > 0 where gravity is given, "},
+       "1: [sensor] handle_mass [kg] = 0, expected > 0 if gravity is given, "},
       {"[sensor]\ntare = false\ntare_tolerance = 0.5",
-       "3: sensor.tare_tolerance = 0.5, expected tare = true beside it, "},
+       "3: sensor.tare_tolerance = 0.5, expected tare = true, without which "},
       {"[sensor]\ntype = \"comedi\"\nrange_of_values = [9, 9, 9, 9, 9, 9]",
        "3: sensor.range_of_values = [ 9, 9, 9, 9, 9, 9 ], expected 2 numbers, or one for all"},
-      {card + "counter_a = 8", "7: port.counter_a = 8, expected counter_setup = \"ni_quadrature\" beside"},
+      {card + "counter_a = 8", "7: port.counter_a = 8, expected counter_setup = \"ni_quadrature\", without"},
       {card + "counter_setup = \"keep\"\ncounter_b = [-1, 9]", "8: port.counter_b = [ -1, 9 ], expected "},
   });
   for (const std::string& text : {

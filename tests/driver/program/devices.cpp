@@ -36,7 +36,7 @@ TEST_F(a_board, that_is_gone_releases_at_once) {
   const outcome o = interrupt();
   EXPECT_EQ(o.status, 3);
   EXPECT_TRUE(has(o.out, "device lost")) << o.out;
-  EXPECT_TRUE(has(o.out, "start again, at the home pose")) << o.out;
+  EXPECT_TRUE(has(o.out, "start again in the home pose")) << o.out;
   EXPECT_TRUE(has(log().text(log().size() - 1, "reason"), "device lost"));
   EXPECT_TRUE(nothing_is_left());
 }

@@ -27,9 +27,9 @@ TEST_F(a_home_pose, is_printed_with_its_distance_to_each_wall) {
       "[[walls]]\nnormal = [0, 1]\n[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.3]\nradius = 0.05\n"
       "[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.14]\nradius = 0.0825\ninside = \"hollow\"\n";
   const std::string distances =
-      "wall 1 (half_space): 0.5 mm inside it: does its normal point to the free side?\n"
+      "wall 1 (half_space): 0.5 mm inside it: check that its normal points to the free side\n"
       "wall 2 (ball): 25.5 mm in front of it\n"
-      "wall 3 (ball): 2.0 mm inside it: is its inside right (solid: free outside, hollow: free inside)?\n";
+      "wall 3 (ball): 2.0 mm inside it: check its inside (solid: free outside, hollow: free inside)\n";
   const outcome o = check(walls);
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(o.out.ends_with(distances)) << o.out;
@@ -41,8 +41,7 @@ TEST_F(a_home_pose, is_printed_with_its_distance_to_each_wall) {
 
 TEST_F(a_home_pose, deep_in_a_wall_is_refused_with_its_likely_cause) {
   const std::string sides =
-      "; is the pose that of this device, in radians, not degrees; is the wall where it "
-      "should be?\n";
+      "; check that the pose is that of this device, in radians, not degrees, and the position of the wall\n";
   EXPECT_EQ(
       check("[homing]\npose = [107.785, -74.8]").err,
       "error: c.toml:2: [homing] pose = (107.785, -74.8) rad, handle at (0.0849, 0.2738) m, 48.8 mm "
@@ -54,12 +53,13 @@ TEST_F(a_home_pose, deep_in_a_wall_is_refused_with_its_likely_cause) {
             "= [0, 1]\n[homing]\npose = [1.8812, -1.3055]")
           .err,
       "error: c.toml:9: [homing] pose = (1.8812, -1.3055) rad, handle at (0.0800, 0.2245) m, 25.5 mm "
-      "inside wall 3 (half_space), expected at most max_start_depth, 5 mm; does its normal point to the "
+      "inside wall 3 (half_space), expected at most max_start_depth, 5 mm; check that its normal points to "
+      "the "
       "free side" +
           sides);
   EXPECT_EQ(check("[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.2345]\nradius = 0.05\n").err,
             "error: c.toml: [homing] pose = (1.88121, -1.30547) rad, handle at (0.0800, 0.2245) m, 40.0 mm "
-            "inside wall 1 (ball), expected at most max_start_depth, 5 mm; is its inside right (solid: "
+            "inside wall 1 (ball), expected at most max_start_depth, 5 mm; check its inside (solid: "
             "free outside, hollow: free inside)" +
                 sides);
 }
@@ -88,7 +88,7 @@ TEST_F(a_home_pose, of_no_handle_is_refused) {
       check("[mechanism]\ntype = \"five_bar\"\n[sensor]\nlink = [0, 0]\n[homing]\npose = [3.1, 0]");
   EXPECT_EQ(o.status, 2);
   EXPECT_TRUE(
-      has(o.err, "c.toml:6: [homing] pose = (3.1, 0) rad, expected one in which the mechanism has a handle"))
+      has(o.err, "c.toml:6: [homing] pose = (3.1, 0) rad, expected a pose that the mechanism can take"))
       << o.err;
 }
 
@@ -97,7 +97,7 @@ TEST_F(a_home_pose, may_be_as_deep_as_the_file_says) {
   EXPECT_EQ(check(deep).status, 2);
   const outcome o = check(deep + "max_start_depth = 0.03\n");
   EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_TRUE(has(o.out, "wall 1 (half_space): 20.0 mm inside it: does")) << o.out;
+  EXPECT_TRUE(has(o.out, "wall 1 (half_space): 20.0 mm inside it: check")) << o.out;
   EXPECT_TRUE(has(check("[homing]\nmax_start_depth = 1").err,
                   "max_start_depth [m] = 1, expected at most 0.1; if it is meant, allow_large"));
 }

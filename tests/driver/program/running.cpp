@@ -113,10 +113,9 @@ TEST_F(a_running_driver, replaces_no_device_by_its_log) {
 TEST_F(a_running_driver, says_what_becomes_of_the_currents_whoever_dies) {
   const outcome o = run("[safety]\nat_release = \"ramp\"\nramp_time = 0.7\nsupervisor_timeout = 0.4\n",
                         {"--seconds", "0.1", "--quiet"});
-  EXPECT_TRUE(
-      has(o.out,
-          "at a release: down to 0 A within 0.7 s; where the loop dies or stops its supervisor does so, "
-          "after 0.5 s at most\nwhere both do: the device's watchdog lets go after 1 s\n"))
+  EXPECT_TRUE(has(o.out,
+                  "at a release: down to 0 A within 0.7 s; if the loop dies or stops, its supervisor does so "
+                  "after 0.5 s at most\nif both do: the device's watchdog releases the brakes after 1 s\n"))
       << o.out;
 }
 

@@ -154,7 +154,7 @@ TEST_F(a_terminal, shows_no_force_of_a_wall_that_is_not_displayed_and_how_to_rea
   start_in(50, 100, {.max_sleep = 0.3, .hand_start = 0.2, .start_depth = 0.1});
   ASSERT_TRUE(reaches("active")) << ended();
   freeze(1);
-  ASSERT_TRUE(shows([this] { return shown.count("state    released: a cycle began far too late") == 1; }))
+  ASSERT_TRUE(shows([this] { return shown.count("state    released: a cycle began too late") == 1; }))
       << shown.text();
   ASSERT_TRUE(redraws(shown.redrawn + 2));
   EXPECT_EQ(shown.count("wall     not displayed"), 1) << shown.text();
@@ -168,8 +168,7 @@ TEST_F(a_terminal, shows_no_force_of_a_wall_that_is_not_displayed_and_how_to_rea
   EXPECT_TRUE(shows_the_release()) << shown.text();
   EXPECT_EQ(end().status, 3) << "it had a fault, though it was rearmed";
   look();
-  EXPECT_EQ(shown.count("releases by a fault before: 1, first: a cycle began far too late"), 1)
-      << shown.text();
+  EXPECT_EQ(shown.count("releases by a fault before: 1, first: a cycle began too late"), 1) << shown.text();
 }
 
 TEST_F(a_terminal, of_another_size_keeps_nothing_of_the_table_before) {

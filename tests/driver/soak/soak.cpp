@@ -24,7 +24,7 @@ constexpr double unnoticed = 0.5;                     // nobody minds so short a
 constexpr long slack = 256;                           // pages that were not touched before [KiB]
 // Of a stopped supervisor, and of a stopped loop: it stood still for longer than hold_over
 const std::string lost_supervisor = "the supervisor is lost, or released the brakes",
-                  stopped_loop = "a cycle began far too late";
+                  stopped_loop = "a cycle began too late";
 
 void rest(double seconds) { usleep(static_cast<useconds_t>(1e6 * seconds)); }
 

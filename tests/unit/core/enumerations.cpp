@@ -50,7 +50,7 @@ TEST(enumerations, have_the_right_words) {
   EXPECT_EQ(to_string(ph::fault::law_failed), "the control law failed");
   EXPECT_EQ(to_string(ph::port_status::bad_sample), "damaged sample");
   EXPECT_EQ(to_string(ph::port_state::degraded), "degraded");
-  EXPECT_EQ(to_string(ph::steady_status::moved), "moved: started anew");
+  EXPECT_EQ(to_string(ph::steady_status::moved), "moved: started again");
 }
 
 TEST(enumerations, have_words_for_each_place_of_a_fault) {
@@ -63,7 +63,7 @@ TEST(enumerations, have_words_for_each_place_of_a_fault) {
   EXPECT_EQ(to_string(ph::fault_record{ph::fault::sensor_saturated, force_sensor, 0}),
             "force channel 1: saturated");
   EXPECT_EQ(to_string(ph::fault_record{ph::fault::write_refused, brakes, -1}),
-            "brakes: the device takes no currents");
+            "brakes: the device rejects currents");
   EXPECT_EQ(to_string(ph::fault_record{ph::fault::user, brakes, 2}), "brake 3: as requested");
 }
 

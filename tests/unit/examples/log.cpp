@@ -197,12 +197,11 @@ TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
       {"a blank line in between", header + good + "\n" + good,
        "line 4: a blank line before this one, expected numbers in each line"},
       {"a last line that may be cut off", "# passive_haptics log 1\nt,q1\n0,1\n1,1.5",
-       "line 4: the line has no end, expected each line of this version to have one; the log was cut off: "
-       "remove "
-       "this line, or end it"},
+       "line 4: the line has no newline, expected one at the end of each line; the log was cut off: "
+       "remove this line, or end it"},
       {"a zero byte", header + std::string("0,1,2\0,3", 8), "line 2: " + zero},
       {"control characters", header + "0,1\x1b[2J\t,3\n",
-       "line 2, column 2: '?[2J?' after a number" + number + " alone; units stand in the header"},
+       "line 2, column 2: '?[2J?' after a number" + number + " without a unit; write units into the header"},
       {"an open quote", header + "0,1,\"x\n0.1,1,2\n", "no message"},  // of a column that nobody reads
   };
   for (const auto& [what, log, message] : all)

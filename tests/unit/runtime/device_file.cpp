@@ -129,7 +129,7 @@ constexpr mistake mistakes[] = {
      "time_constant, torque_limit, type; did you mean \"torque_limit\"?"},
     {arm, "[brakes]\ntorque_lower = 0",
      ":11: [brakes] brakes have a torque_lower or torque_upper, expected none: a controller of a mechanism "
-     "with more joints than task dimensions takes such brakes in C++ alone"},
+     "with more joints than task dimensions supports such brakes only in C++"},
     // law
     {usual, "law = \"direct_control\"",
      ":1: law = 'direct_control', expected a table, [law], with type = \"...\": the key was renamed"},
@@ -191,7 +191,7 @@ constexpr mistake mistakes[] = {
     {usual, "[[walls]]\ntype = \"box\"\nhalf_extents = [0.1, 0.1]\naxes = [[1, 0], [1, 1]]",
      ":4: [walls[0]] |axes^T axes - I| of a box = 1, expected orthonormal columns"},
     {usual, "[[walls]]\ntype = \"offset\"\ngrowth = 0.01\n[walls.of]\ntype = \"bal\"\nradius = 0.1",
-     ":5: walls[0].of.type = 'bal', expected one of \"half_space\", ...; the mechanism moves in the plane; "
+     ":5: walls[0].of.type = 'bal', expected one of \"half_space\", ...; the mechanism is planar; "
      "did you mean \"ball\"?"},
     {usual, "[[walls]]\ntype = \"offset\"\n[walls.of]\ntype = \"ball\"\nradius = 0.1\nstiffness = 5",
      ":6: unknown key 'walls[0].of.stiffness', expected one of centre, inside, radius, type"},

@@ -71,10 +71,10 @@ inline std::string check_brake_points(const brake_curve& p) {
   if (given > p.points)
     return error_text("points", p.points,
                       indexed(indexed("", given, ", as the last entry of the table that is not 0 is table["),
-                              given - 1, "]; set points, or make the entries 0 that are not meant"));
+                              given - 1, "]; set points, or set the unused entries to 0"));
   if (p.points == 0 || p.torque_per_ampere == brake_curve().torque_per_ampere) return {};
   return error_text("torque_per_ampere [N m/A]", p.torque_per_ampere,
-                    "its default, 1, as the table is read in its place; leave one of both out");
+                    "its default, 1, as the table is used instead; remove one of the two");
 }
 
 inline std::string check_brake_table(const brake_curve& p) {

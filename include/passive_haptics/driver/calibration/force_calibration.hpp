@@ -80,11 +80,13 @@ struct force_calibration_parameters {
   /// Requires channels that distinguish all directions, and a mass if gravity is given.
   std::string rules() const {
     if (!all_finite(pseudo_inverse(transposed(newtons_per_unit))))
-      return "newtons_per_unit has dependent rows, expected one that distinguishes all directions";
+      return "newtons_per_unit has dependent rows, expected independent rows: measure each direction by "
+             "itself";
     if (handle_mass > 0 || gravity.isZero(0)) return {};
-    return detail::error_text("handle_mass [kg]", handle_mass,
-                              "> 0 where gravity is given, as nothing else reads it; weigh the handle, or "
-                              "leave gravity out");
+    return detail::error_text(
+        "handle_mass [kg]", handle_mass,
+        "> 0 if gravity is given, as gravity acts on nothing else; weigh the handle, or "
+        "remove gravity");
   }
 };
 

@@ -35,8 +35,8 @@ enum class steady_status {
 
 /// Text of the status.
 constexpr std::string_view to_string(steady_status s) {
-  return detail::word_of(
-      s, {"collecting", "moved: started anew", "interrupted: started anew", "done", "unknown steady status"});
+  return detail::word_of(s, {"collecting", "moved: started again", "interrupted: started again", "done",
+                             "unknown steady status"});
 }
 
 /// Mean of N readings over a time in which none varied by more than a tolerance.

@@ -41,7 +41,7 @@ class child_process {
   /// [s] is ended.
   template <class Prepare, class Run>
   std::string start(Prepare&& prepare, Run&& run, double patience = 10) {
-    if (pid_ > 0) return "start() was called before: the process runs";
+    if (pid_ > 0) return "start() was called twice: the process is running; call it once";
     std::array<int, 2> down{-1, -1}, up{-1, -1};
     std::string error = open_pipe(down);
     if (error.empty()) error = open_pipe(up);
@@ -109,8 +109,9 @@ class child_process {
 
   // Separates the child from its parent; returns an error or an empty string
   static std::string separate(int down, int up) {
-    constexpr const char* help = "allow it where system calls are filtered, as in a container";
-    // No session of its own: the scheduler groups by session (autogroup), which delayed it by half a second
+    constexpr const char* help = "allow it if system calls are filtered, as in a container";
+    // No session of its own: the scheduler shares out time by sessions (autogroup), and let one wait for
+    // half a second
     if (setpgid(0, 0) != 0) return detail::failed_call("setpgid", help);
     for (int signal = 1; signal < NSIG; ++signal)
       if (!is_obeyed(signal) && !ignore(signal)) return detail::failed_call("sigaction", help);
@@ -140,7 +141,7 @@ class child_process {
   [[noreturn]] static void be_child(int down, int up, pid_t parent, Prepare& prepare, Run& run) noexcept {
     std::string error = attempt([&] { return separate(down, up); });
     if (error.empty()) error = attempt([&] { return prepare(); });
-    if (error.empty() && write(up, &ready, 1) != 1) error = "the parent is gone";
+    if (error.empty() && write(up, &ready, 1) != 1) error = "the parent process has ended";
     if (!error.empty()) {
       complain(up, error);
       _exit(1);  // without the parent's atexit handlers
@@ -160,7 +161,7 @@ class child_process {
       return function();
     } catch (const std::exception& e) {
       const std::string text = e.what();
-      return text.empty() ? "an exception without a text" : text;
+      return text.empty() ? "an exception without a message" : text;
     }
 #else
     return function();
@@ -180,7 +181,9 @@ class child_process {
       pollfd watched{from, POLLIN, 0};
       const double left = end - monotonic_seconds();
       const int came = left > 0 ? poll(&watched, 1, static_cast<int>(1e3 * std::min(left, max_wait)) + 1) : 0;
-      if (came == 0) return "the process was not ready in time: was it stopped?";
+      if (came == 0)
+        return "the process was not ready in time; check whether it was stopped, then start the program "
+               "again";
       const ssize_t size = came < 0 ? -1 : ::read(from, part.data(), part.size());
       if (size < 0 && errno == EINTR) continue;
       if (size < 0) return detail::failed_call(came < 0 ? "poll" : "read", "start the program again");

@@ -66,7 +66,7 @@ inline std::string close_all_but(const kept_files& kept) {
   if (getrlimit(RLIMIT_NOFILE, &limit) == 0 && close_up_to(limit.rlim_cur, kept)) return {};
   errno = why;
   return failed_call("close_range",
-                     "allow it where system calls are filtered, mount /proc, or set `ulimit -n 4096`");
+                     "allow it if system calls are filtered, mount /proc, or set `ulimit -n 4096`");
 }
 
 }  // namespace passive_haptics::detail

@@ -56,7 +56,7 @@ class supervisor {
   static_assert(is_port<Port, explain>());
   static_assert(
       !requires { typename Port::port_type; },
-      "passive_haptics: a supervisor may wait, so it takes the port itself: threaded_port::port_type");
+      "passive_haptics: a supervisor may wait; pass the port itself, threaded_port::port_type");
 
  public:
   static constexpr int brake_count = Port::brake_count;  ///< Number of brakes.

@@ -43,7 +43,7 @@ std::string error_of(F make) {
 
 template <int D>
 inline constexpr std::string_view moves_in =
-    D == 2 ? "; the mechanism moves in the plane" : "; the mechanism moves in space";
+    D == 2 ? "; the mechanism is planar" : "; the mechanism is spatial";
 
 template <int D>
 half_space_parameters<D> usual_wall() {
@@ -282,7 +282,7 @@ void device_reader::read_law() {
   const law_entry& law = *find(all_.laws(), device.law.name);
   require_possible(from, law, *made);
   if (law.takes_one_wall && device.walls.size() > 1)
-    device.remarks += "law: " + law.name + " takes one wall at a time, the one with the largest force\n";
+    device.remarks += "law: " + law.name + " displays one wall at a time, that with the maximum force\n";
   for (const field& f : device.law.parameters.fields())
     if (std::string_view(f.about.name) == "lead")
       *f.numbers() = std::ranges::max(device.brakes.time_constant);
