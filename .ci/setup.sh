@@ -37,6 +37,8 @@ present() {
     libgtest-dev) found_by_dpkg "$1" || found_by_cmake GTest ;;
     libassimp-dev) found_by_dpkg "$1" || found_by_cmake assimp ;;
     libmujoco-dev) found_by_dpkg "$1" || found_by_cmake mujoco ;;
+    liburdfdom-dev) found_by_dpkg "$1" || found_by_cmake urdfdom ;;
+    liborocos-kdl-dev) found_by_dpkg "$1" || found_by_cmake orocos_kdl ;;
     libcli11-dev) found_by_dpkg "$1" || found_by_cmake CLI11 ;;
     libtomlplusplus-dev) found_by_dpkg "$1" || found_by_cmake tomlplusplus ;;
     *-arm-none-eabi-newlib) found_by_dpkg "$1" ;;

@@ -15,6 +15,9 @@ ph::runtime::catalogue filled() {
   add_shapes(all);
   add_effects(all);
   add_brake_models(all);
+#ifdef PASSIVE_HAPTICS_URDF
+  add_urdf_reader(all);
+#endif
   compile_all_kinds(all);
   return all;
 }

@@ -101,3 +101,16 @@ def test_chains_and_shapes_of_shapes(tmp_path):
     q, rates = np.random.default_rng(1).uniform(-1, 1, (2, 300, 3)) + [[[1.0, 1.0, 0.5]], [[0.0, 0.0, 0.0]]]
     assert device.controller().batch(q, rates, rates[:, :2]) == made.batch(q, rates, rates[:, :2])
     assert device.law == device.mechanism.recommended_law(device.brakes)
+
+
+def test_a_chain_of_a_urdf():
+    urdf = os.path.join(os.path.dirname(__file__), "..", "..", "docs", "guide", "seven_joint_arm.urdf")
+    try:
+        arm = ph.chain_from_urdf(urdf, "base", "handle", tool=[0, 0, 0.1])
+    except RuntimeError as error:
+        assert "liburdfdom-dev" in str(error)  # of a package that is built without it
+        return
+    assert arm.dof == 7 and arm.has_inertia
+    assert arm.position(np.zeros(7)) == pytest.approx([0.03, 0, 0.76], abs=1e-15)
+    with pytest.raises(ValueError, match="seven_joint_arm.urdf: tip_link = 'handel', expected one of its links: 'base', 'handle'"):
+        ph.chain_from_urdf(urdf, "base", "handel")

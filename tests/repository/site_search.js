@@ -14,6 +14,8 @@ const expected = {
   "simulation": "guide_mujoco.html",
   "equation 12": "equations.html",
   "CHAI3D": "guide_chai3d.html",
+  "URDF": "guide_urdf.html",
+  "robot": "guide_urdf.html",
   "controller": "classpassive__haptics_1_1controller.html",
   "python following_hand": "guide_python_reference.html",
   "read_log": "guide_python_reference.html",

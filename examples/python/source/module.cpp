@@ -10,6 +10,10 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
+#include <stdexcept>
+#include <string>
+
 namespace passive_haptics_python {
 namespace {
 
@@ -37,6 +41,18 @@ scene scene_of_device(const std::string& text) {
   return {rt::read_device(file, example::catalogue()).make_scene(example::catalogue())};
 }
 
+// The parameters of a chain of a URDF, and the remarks.
+py::tuple chain_from_urdf(const std::string& path, const std::string& base, const std::string& tip,
+                          const std::array<double, 3>& tool, bool balanced) {
+  const rt::urdf_reader& reader = example::catalogue().urdf_reader();
+  if (!reader)
+    throw std::runtime_error(
+        "passive_haptics: chain_from_urdf, expected a package that is built with urdfdom; install Debian's "
+        "liburdfdom-dev, then build the package with PASSIVE_HAPTICS_URDF=ON in the environment");
+  const rt::urdf_mechanism made = reader({path, base, tip, {tool[0], tool[1], tool[2]}, balanced}, "");
+  return py::make_tuple(to_dict(made.parameters), made.remarks);
+}
+
 }  // namespace
 }  // namespace passive_haptics_python
 
@@ -53,6 +69,7 @@ PYBIND11_MODULE(_native, module) {
   });
   module.def("read_device", &read_device);
   module.def("scene_of_device", &scene_of_device);
+  module.def("chain_from_urdf", &chain_from_urdf);
   module.attr("catalogue") = py::capsule(&example::catalogue(), "passive_haptics::runtime::catalogue");
   for (const auto bind :
        {bind_named, bind_scenes, bind_devices, bind_simulations, bind_python_mechanism, bind_logs})

@@ -7,6 +7,7 @@
 #include <passive_haptics/runtime/any_plant.hpp>
 #include <passive_haptics/runtime/any_shape.hpp>
 #include <passive_haptics/runtime/braked_wall.hpp>
+#include <passive_haptics/runtime/urdf_mechanism.hpp>
 #include <passive_haptics/scene/world/any_wall.hpp>
 
 #include <functional>
@@ -150,6 +151,10 @@ class catalogue {
                                return run_time_brake(require_valid(p.as<Model>()));
                              }});
   }
+  /// A reader of URDFs, for a program that is built with a library for them.
+  void add_urdf_reader(runtime::urdf_reader reader) { urdf_reader_ = std::move(reader); }
+  /// That reader; empty if there is none.
+  const runtime::urdf_reader& urdf_reader() const { return urdf_reader_; }
 
   /// Compiles controllers under these laws, and the plant, for all mechanisms of M's kind: 5 to 20 s per law.
   template <DifferentiableMechanism M, class... L>
@@ -218,6 +223,7 @@ class catalogue {
   std::vector<effect_entry<2>> effects_in_the_plane_;
   std::vector<effect_entry<3>> effects_in_space_;
   std::vector<brake_model_entry> brake_models_;
+  runtime::urdf_reader urdf_reader_;
   std::map<std::pair<std::type_index, std::type_index>, controller_maker> controllers_;
   std::map<std::type_index, plant_maker> plants_;
   std::map<std::type_index, wall_maker> wall_makers_;

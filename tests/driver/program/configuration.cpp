@@ -32,6 +32,13 @@ TEST_F(a_configuration, that_is_shipped_is_right) {
   EXPECT_GE(count, 4);
 }
 
+TEST_F(a_configuration, of_a_urdf_is_right_or_names_the_package_that_is_missing) {
+  const outcome o = run({"--config", PASSIVE_HAPTICS_GUIDE_DIR "/urdf.toml", "--check"});
+  if (has(o.err, "liburdfdom-dev")) return;
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(has(o.out, "urdf.toml is right: spatial_chain_7_with_inertia, simulated device")) << o.out;
+}
+
 TEST_F(a_configuration, tells_what_its_wall_can_be) {
   for (const std::string mechanism : {"tendon_two_link\"\n", "two_link\"\n", "xy_table\"\n",
                                       "five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\nlink = [0, 0]\n"}) {

@@ -230,6 +230,8 @@ TEST(serial_chain, says_which_inertia_is_wrong) {
     return validate(p);
   };
   EXPECT_EQ(error_of(2), "") << "a disc";
+  p.links[1].about_centre.setZero();
+  EXPECT_EQ(validate(p), "") << "a point mass";
   for (const double last : {2.001, -1.0})
     EXPECT_EQ(error_of(last),
               "links[1].about_centre [kg m^2] has a principal moment over the sum of the other two, "

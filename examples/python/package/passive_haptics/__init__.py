@@ -21,7 +21,7 @@ from passive_haptics._native import __version__ as __version__
 from passive_haptics._native import device_state, step_result
 from passive_haptics.catalogue import *
 from passive_haptics.catalogue_values import brake_model, effect, law, shape
-from passive_haptics.chains import nearest_pose, planar_arm
+from passive_haptics.chains import chain_from_urdf, nearest_pose, planar_arm
 from passive_haptics.controllers import batch_result, controller
 from passive_haptics.device_file import device_description, load
 from passive_haptics.devices import brakes, mechanism, serial_chain
@@ -53,12 +53,12 @@ from passive_haptics.scenes import (
 from passive_haptics.simulations import follow_wall, simulated_device
 
 __all__ = [
-    *_catalogue.__all__, "batch_result", "brake_model", "brakes", "contact_metrics", "contact_report", "controller",
-    "device_description", "device_state", "display_class", "displayable_force", "effect", "follow_wall",
-    "held_scene", "include_folders", "law", "load", "mechanism", "mesh", "mesh_solid", "mesh_surface",
-    "nearest_pose", "planar_arm", "power_class", "python_mechanism", "read_log", "read_obj", "read_ply",
-    "read_stl", "run_end", "scene", "scene_of_device", "serial_chain", "shape", "simulated_device", "status", "step_result", "wall",
-    "with_effects", "world",
+    *_catalogue.__all__, "batch_result", "brake_model", "brakes", "chain_from_urdf", "contact_metrics",
+    "contact_report", "controller", "device_description", "device_state", "display_class", "displayable_force",
+    "effect", "follow_wall", "held_scene", "include_folders", "law", "load", "mechanism", "mesh", "mesh_solid",
+    "mesh_surface", "nearest_pose", "planar_arm", "power_class", "python_mechanism", "read_log", "read_obj",
+    "read_ply", "read_stl", "run_end", "scene", "scene_of_device", "serial_chain", "shape", "simulated_device",
+    "status", "step_result", "wall", "with_effects", "world",
 ]  # fmt: skip
 
 

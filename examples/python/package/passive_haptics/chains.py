@@ -1,10 +1,13 @@
 """Serial chains by their usual shapes, and their inverse kinematics."""
 
 import collections.abc
+import os
+import warnings
 
 import numpy as np
 
-from passive_haptics.arrays import Array, Numbers
+from passive_haptics import _native
+from passive_haptics.arrays import Array, Numbers, Path
 from passive_haptics.devices import mechanism, serial_chain
 from passive_haptics.results import status
 
@@ -18,6 +21,19 @@ def planar_arm(lengths: collections.abc.Sequence[float]) -> serial_chain:
         joints.append({"point": [reached, 0.0]})
         reached += length
     return serial_chain(joints=joints, handle=[reached, 0.0])
+
+
+def chain_from_urdf(path: Path, base: str, tip: str, tool: Numbers = (0.0, 0.0, 0.0), balanced: bool = False) -> serial_chain:
+    """The chain of a URDF from the link `base` to the link `tip`, with inertia (docs/guide/urdf.md).
+
+    `tool` is the handle in the frame of the tip [m]; `balanced` accepts an inertia that no rigid body has, changed as little
+    as necessary. A chain of 2 to 4 joints that moves in one plane is planar. Warns about parts of the file that are left out.
+    Raises ValueError with the file and its element, RuntimeError if the package is built without urdfdom.
+    """
+    parameters, remarks = _native.chain_from_urdf(os.fspath(path), base, tip, [float(x) for x in np.asarray(tool)], balanced)
+    if remarks:
+        warnings.warn(remarks.rstrip("\n"), stacklevel=2)
+    return serial_chain(**parameters)
 
 
 def nearest_pose(mechanism: mechanism, x: Numbers, start: Numbers) -> tuple[Array, status]:

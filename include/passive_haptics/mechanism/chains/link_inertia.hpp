@@ -16,7 +16,8 @@ std::string check_inertia(const char* name, const matrix<T, 3, 3>& inertia) {
   const T rounding = rounding_tolerance<T>(3) * size;
   if (!((inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= rounding))
     return std::string(name).append(" is not finite and symmetric, expected a finite symmetric matrix");
-  // int r r^T dm, positive semidefinite for any mass distribution
+  if (size == T(0)) return "";  // a point mass
+  // int r r^T dm, which no mass makes indefinite
   const matrix<T, 3, 3> second_moment =
       (inertia.trace() / T(2) + rounding) * matrix<T, 3, 3>::Identity() - inertia;
   if (cholesky<T, 3>(second_moment).is_positive_definite()) return "";

@@ -177,10 +177,26 @@ scene_variant device_description::make_scene(const catalogue& all) const {
 
 void device_reader::read_mechanism() {
   toml_section from = file_.section("mechanism");
-  device.mechanism = detail::entry_in(from, device.mechanism.name, all_.mechanisms());
+  if (from.has("urdf")) read_urdf(from);
+  else device.mechanism = detail::entry_in(from, device.mechanism.name, all_.mechanisms());
   from.read_all(device.mechanism.parameters);
   from.require(detail::error_of([&] { device.make_mechanism(all_); }));
   device.remarks += device.mechanism.parameters.remarks("mechanism: ");
+}
+
+void device_reader::read_urdf(toml_section& from) {
+  urdf_source source;
+  from.read_all(source);
+  source.urdf = from.beside(source.urdf);
+  std::string type;
+  from.read("type", type);
+  if (!all_.urdf_reader())
+    from.refuse("urdf", "a program that reads URDFs; install Debian's liburdfdom-dev, then build it again");
+  urdf_mechanism made;
+  from.require(detail::error_of([&] { made = all_.urdf_reader()(source, type); }));
+  device.mechanism = {std::move(made.name), std::move(made.parameters)};
+  for (std::size_t at = 0, end = 0; (end = made.remarks.find('\n', at)) != std::string::npos; at = end + 1)
+    device.remarks += "mechanism: " + made.remarks.substr(at, end + 1 - at);
 }
 
 void device_reader::read_brakes() {

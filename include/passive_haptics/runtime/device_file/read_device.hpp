@@ -20,7 +20,8 @@ class device_reader {
   /// An open file and the catalogue for its names. The caller calls finish().
   device_reader(toml_section file, const catalogue& all) : file_(std::move(file)), all_(all) {}
 
-  /// Reads [mechanism].
+  /// Reads [mechanism]. With `urdf` its parameters are those of a chain of that file, and other keys of the
+  /// section replace them.
   void read_mechanism();
   /// Reads [brakes] and [[brakes.model]]. Existing brakes of `device` are the defaults.
   void read_brakes();
@@ -35,6 +36,7 @@ class device_reader {
 
  private:
   const mechanism_entry& mechanism() const { return *find(all_.mechanisms(), device.mechanism.name); }
+  void read_urdf(toml_section& from);
   template <int D>
   void read_scene_in();
   template <int D>
