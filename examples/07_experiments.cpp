@@ -562,7 +562,7 @@ bool bands(const std::vector<reading_cell>& reading, const std::vector<batch_row
   const auto program = std::filesystem::path(argv[0]).replace_filename("experiment_sections");
   execv(program.c_str(), argv);
   throw std::runtime_error("cannot run '" + program.string() + "': " + std::strerror(errno) +
-                           ", expected the program of the sections; build it: "
+                           ": expected the program of the sections; build it: "
                            "cmake --build build/examples --target experiment_sections");
 }
 
@@ -612,7 +612,7 @@ int main(int argc, char** argv) try {
   const bool hold = bands(reading, plants, wide, in_space_hold) && rest && no_power;
   const bool agrees = is_printed(page);
   if (const std::size_t runs = progress_bar::done_of_all(); hold && runs != planned_runs)
-    throw std::logic_error("planned_runs, expected " + std::to_string(runs));
+    throw std::logic_error("planned_runs: expected " + std::to_string(runs));
   std::printf(
       "\nCounted from the first contact; depths after the first 10 %% of the path, std is their standard "
       "deviation.\n"

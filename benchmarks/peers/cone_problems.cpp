@@ -63,7 +63,7 @@ errors check_cone_answers(const std::vector<ph::vector<double, N>>& answers, dou
     if (!(off <= tolerance)) {
       std::ostringstream error;
       error << "n = " << N << ", seed " << seed << ", problem " << k << ": the solution "
-            << answers[k].transpose() << " is " << off << " from the exact one, expected at most "
+            << answers[k].transpose() << " is " << off << " from the exact one: expected at most "
             << tolerance << ". Is the solver set up for this problem?";
       throw std::runtime_error(error.str());
     }

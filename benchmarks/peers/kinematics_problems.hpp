@@ -55,7 +55,7 @@ bool add_kinematics_solver(const std::string& name) {
       if (off <= tolerance) continue;
       std::ostringstream error;
       error << "seed " << seed << ", q = " << q.transpose() << " rad: handle or Jacobian differ by " << off
-            << " from the library's, expected at most " << tolerance << ". Is it the same chain?";
+            << " from the library's: expected at most " << tolerance << ". Is it the same chain?";
       throw std::runtime_error(error.str());
     }
     return {{"difference", worst}};

@@ -20,6 +20,6 @@ int main() {
   std::cout << ph::to_text(spring_parameters());  // stiffness [N/m] = 100 ...
   std::cout << ph::remarks(
       spring_parameters{.rest_length = 70});  // ... = 70, usually within 5 m: millimetres?
-  std::cout << ph::validate(spring_parameters{.stiffness = -1});  // ... = -1, expected a finite number > 0
+  std::cout << ph::validate(spring_parameters{.stiffness = -1});  // ... = -1: expected a finite number > 0
   std::cout << "\n";
 }

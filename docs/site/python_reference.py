@@ -63,7 +63,7 @@ def text_of(node: ast.AsyncFunctionDef | ast.FunctionDef | ast.ClassDef, file: s
     """The text under a definition, which each public one has."""
     text = ast.get_docstring(node)
     if not text:
-        sys.exit(f"{PACKAGE / file}, line {node.lineno}: {node.name} has no text, expected one; write it under the name")
+        sys.exit(f"{PACKAGE / file}, line {node.lineno}: {node.name} has no text: expected one; write it under the name")
     return text
 
 

@@ -78,7 +78,7 @@ class session {
     if (configuration_.safety.at_release.policy == ph::release_policy::zero || latest < watchdog) return;
     throw std::invalid_argument(
         "[safety] supervisor_timeout [s] = " + ph::detail::number_text(configuration_.supervisor.timeout) +
-        ", expected less than 0.8 of the device's watchdog, " + ph::detail::number_text(watchdog) +
+        ": expected less than 0.8 of the device's watchdog, " + ph::detail::number_text(watchdog) +
         ", or at_release = \"zero\"");
   }
 

@@ -53,7 +53,7 @@ auto of_count(std::size_t count, const char* items, Make make) {
     if (count > Least && count <= Most) return of_count<Least + 1, Most>(count, items, make);
   if (count != Least)
     throw std::invalid_argument("passive_haptics: number of " + std::string(items) + " = " +
-                                std::to_string(count) + ", expected " + std::to_string(Least) + " to " +
+                                std::to_string(count) + ": expected " + std::to_string(Least) + " to " +
                                 std::to_string(Most));
   return make(std::integral_constant<std::size_t, Least>());
 }
@@ -116,7 +116,7 @@ ph::mesh<3> mesh_of(const mesh_file_parameters& p) {
                                        : nullptr;
   if (read == nullptr)
     throw std::invalid_argument("passive_haptics: file = \"" + p.file +
-                                "\", expected a mesh, a .stl, .ply or .obj");
+                                "\": expected a mesh, a .stl, .ply or .obj");
   ph::mesh_file found = read(p.file, p.metres_per_unit);
   for (auto& v : found.mesh.vertices) v += p.position;
   return ph::mesh<3>(std::move(found.mesh));
@@ -162,7 +162,7 @@ ph::mesh<3> terrain_of(const height_file_parameters& p) {
     if (field.rows == 0) field.columns = count;
     if (!is_valid || (count > 0 && count != field.columns))
       throw std::invalid_argument("file " + p.file + ", line " + std::to_string(number) + ": \"" + line +
-                                  "\", expected numbers between blanks or commas, as many as in the first "
+                                  "\": expected numbers between blanks or commas, as many as in the first "
                                   "line");
     field.rows += count > 0;
   }

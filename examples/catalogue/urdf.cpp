@@ -48,8 +48,8 @@ urdf_mechanism read(const ph::runtime::urdf_source& from, const std::string& nam
   throw std::invalid_argument(
       possible.empty()
           ? chain.name + ": moving joints = " + std::to_string(chain.joints.size()) +
-                ", expected 2 to 4 in one plane, or 3, 6 or 7 in space; choose other links"
-          : "type = \"" + name + "\", expected " + possible + ", which has as many joints as " + chain.name);
+                ": expected 2 to 4 in one plane, or 3, 6 or 7 in space; choose other links"
+          : "type = \"" + name + "\": expected " + possible + ", which has as many joints as " + chain.name);
 }
 
 }  // namespace

@@ -30,13 +30,13 @@ void tell_of_a_full_disk() {
 }
 
 // Validators of CLI11: an error text, or empty.
-std::string not_empty(const std::string& text) { return text.empty() ? "empty, expected a value" : ""; }
+std::string not_empty(const std::string& text) { return text.empty() ? "empty: expected a value" : ""; }
 
 auto number_that(bool (*is_right)(double), const char* expected) {
   return [=](const std::string& text) {
     double value = 0;
     const bool right = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && is_right(value);
-    return right ? std::string() : text + ", expected " + expected;
+    return right ? std::string() : text + ": expected " + expected;
   };
 }
 
@@ -56,7 +56,7 @@ command_line::command_line(const std::string& name, const std::string& about)
     : all_(std::make_unique<options>(about, name)) {
   if (!passive_haptics::open_standard_descriptors())
     fail(std::string("/dev/null: ") + std::strerror(errno) +
-             ", expected it in place of a closed descriptor; start the program with descriptors 0 to 2 open",
+             ": expected it in place of a closed descriptor; start the program with descriptors 0 to 2 open",
          1);
   // A failing write must neither end the program nor change its exit status
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
@@ -80,7 +80,7 @@ void command_line::choice(const std::string& option, std::string& value,
   for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
   const auto known = [=](const std::string& text) {
     const bool found = std::find(words.begin(), words.end(), text) != words.end();
-    return found ? std::string() : "'" + text + "', expected one of " + list;
+    return found ? std::string() : "'" + text + "': expected one of " + list;
   };
   all_->add(option, value, "NAME", about + ":\n" + list)->default_str(value)->check(known);
 }
@@ -96,7 +96,7 @@ void command_line::whole_number(const std::string& option, std::optional<std::ui
   const auto is_whole = [](const std::string& text) {
     const bool right =
         !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == std::string::npos;
-    return right ? std::string() : text + ", expected a whole number of at most 18 digits";
+    return right ? std::string() : text + ": expected a whole number of at most 18 digits";
   };
   const auto take = [&value](const std::string& text) { value = std::stoull(text); };
   all_->add_option_function<std::string>(option, take, about)->type_name("NUMBER")->check(is_whole);

@@ -61,10 +61,10 @@ class output_file {
     stream_.flush();
     if (buffer_.error == 0 && fsync(descriptor_) != 0) buffer_.error = errno;
     if (is_removed())
-      throw std::runtime_error("cannot write '" + part_ + "': it was removed, expected it to be left alone");
+      throw std::runtime_error("cannot write '" + part_ + "': it was removed: expected it to be left alone");
     if (buffer_.error != 0)
       throw std::runtime_error("cannot write all of '" + part_ + "': " + error() +
-                               ", expected room for it; make room, or choose another folder");
+                               ": expected room for it; make room, or choose another folder");
     place_of(path_);  // may have changed
     if (rename(part_.c_str(), path_.c_str()) != 0) fail(path_.string(), errno);
     close(std::exchange(descriptor_, -1));
@@ -101,7 +101,7 @@ class output_file {
 
   [[noreturn]] static void fail(const std::string& path, int error) {
     throw std::runtime_error("cannot write '" + path + "': " + std::strerror(error) +
-                             ", expected a folder that is there and where you may write");
+                             ": expected a folder that is there and where you may write");
   }
 
   // The file instead of a link to it, which renaming would replace.
@@ -110,7 +110,7 @@ class output_file {
     if (kind == "a regular file") return std::filesystem::canonical(path);
     if (kind == "nothing" && path.has_filename()) return path;
     throw std::runtime_error("cannot write '" + path.string() + "': it is " + kind +
-                             ", expected a regular file or a free name; choose another name");
+                             ": expected a regular file or a free name; choose another name");
   }
 
   int open_part(leftover left) const {

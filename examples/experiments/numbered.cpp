@@ -82,12 +82,12 @@ void add_lines(const part_file& file, number_range which, lines_by_number& lines
     const std::uint64_t number = number_of(whole, place);
     if (number < which.first || number > which.last)
       throw std::invalid_argument("'" + file.name + "': experiment " + std::to_string(number) +
-                                  ", expected " + text_of(which) +
+                                  ": expected " + text_of(which) +
                                   "; leave the file out, or give another --first and --last");
     if (const auto [there, is_new] = lines.emplace(number, whole); !is_new)
       throw std::invalid_argument("experiment " + std::to_string(number) + " is in '" +
                                   there->second.file->name + "' and in '" + file.name +
-                                  "', expected it once; leave one of them out");
+                                  "': expected it once; leave one of them out");
     rest.remove_prefix(whole.text.size());
   }
 }
@@ -97,7 +97,7 @@ void add_lines(const part_file& file, number_range which, lines_by_number& lines
 std::string range_error(number_range which) {
   if (which.first > which.last)
     return "--first " + std::to_string(which.first) + " with --last " + std::to_string(which.last) +
-           ", expected a first number that is not above the last; exchange them";
+           ": expected a first number that is not above the last; exchange them";
   return "";
 }
 
@@ -109,7 +109,7 @@ std::string run_by_number(number_range which) {
   const std::vector<cell> settings = cells();
   const std::size_t count = which.last - which.first + 1;
   if (count > max_of_a_part)
-    throw std::invalid_argument(text_of(which) + ", expected a part of at most " +
+    throw std::invalid_argument(text_of(which) + ": expected a part of at most " +
                                 std::to_string(max_of_a_part) + "; run smaller parts and merge them");
   progress_bar::plan(count);
   std::string table = numbered_head();
@@ -131,7 +131,7 @@ std::string merged(const std::vector<part_file>& parts, number_range which) {
   const auto check_gap = [&](std::uint64_t until) {
     if (next == until) return;
     const number_range gap{next, until - 1};
-    throw std::invalid_argument("no file has " + text_of(gap) + ", expected " + text_of(which) +
+    throw std::invalid_argument("no file has " + text_of(gap) + ": expected " + text_of(which) +
                                 "; run --first " + std::to_string(gap.first) + " --last " +
                                 std::to_string(gap.last));
   };

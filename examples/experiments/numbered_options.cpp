@@ -17,7 +17,7 @@ part_file read(const std::string& name) {
   if (file) content << file.rdbuf();
   if (!file || file.bad() || std::filesystem::is_directory(name))
     throw std::invalid_argument("cannot read '" + name +
-                                "', expected a file of experiments; give its name anew");
+                                "': expected a file of experiments; give its name anew");
   return {name, content.str()};
 }
 
@@ -34,7 +34,7 @@ void numbered_options::add_to(example::command_line& line) {
 number_range numbered_options::range() const {
   if (!first_ || !last_)
     throw std::invalid_argument(std::string(first_ ? "--last" : "--first") +
-                                " is missing, expected both --first and --last; add it");
+                                " is missing: expected both --first and --last; add it");
   const number_range which{*first_, *last_};
   if (const std::string error = range_error(which); !error.empty()) throw std::invalid_argument(error);
   return which;

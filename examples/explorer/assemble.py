@@ -48,7 +48,7 @@ def joined(entry):
         text = EXPORT.sub('', IMPORT.sub('', text))
         left = re.search(r'^(import|export)\b.*$', text, re.MULTILINE)
         if left:
-            sys.exit(f'error: {name}: "{left[0]}", expected an import or export as assemble.py --help describes')
+            sys.exit(f'error: {name}: "{left[0]}": expected an import or export as assemble.py --help describes')
         for declared in DECLARED.findall(text):
             if declared in owner:
                 sys.exit(f'error: {name} and {owner[declared]} both declare {declared}; rename one')

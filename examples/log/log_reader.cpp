@@ -169,7 +169,7 @@ std::string log_reader::text(std::size_t column) const {
 }
 
 void log_reader::fail(std::size_t column, const std::string& found, const std::string& expected) const {
-  fail(column, std::string(found).append(", expected ").append(expected));
+  fail(column, std::string(found).append(": expected ").append(expected));
 }
 
 void log_reader::fail(std::size_t column, const std::string& error) const {

@@ -89,7 +89,7 @@ std::string device_file(const replay_options& chosen) {
   const std::string name = device_name(chosen.log);
   if (ph::file_kind(name) == "nothing")
     throw std::invalid_argument(name +
-                                ": no such file, expected the device file that brake_driver wrote next to " +
+                                ": no such file: expected the device file that brake_driver wrote next to " +
                                 chosen.log + "; give the device of the log by --config FILE");
   return name;
 }

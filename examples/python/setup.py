@@ -35,7 +35,7 @@ class build_by_cmake(build_ext):
 
     def run(self):
         if shutil.which("cmake") is None:
-            sys.exit("passive_haptics: cmake is missing, expected Debian's cmake and ninja-build")
+            sys.exit("passive_haptics: cmake is missing: expected Debian's cmake and ninja-build")
         given = os.environ.get("PASSIVE_HAPTICS_CMAKE_BUILD")
         folder = given or os.path.join(build, "cmake")
         source = root if given else os.path.join(root, "examples", "python")

@@ -194,7 +194,7 @@ TEST_F(record_on_bench, ends_on_the_clock_of_this_machine_whatever_the_samples_s
   const std::string error = thrown_by([&] { record(tenth); });
   EXPECT_TRUE(error.starts_with("time of the test on this machine's clock [s] = ")) << error;
   EXPECT_TRUE(error.ends_with(
-      ", expected at most 1.001: check the clock of the samples, and whether the machine was suspended"))
+      ": expected at most 1.001: check the clock of the samples, and whether the machine was suspended"))
       << error;
   EXPECT_FALSE(device.flows());
 }
@@ -216,10 +216,10 @@ TEST_F(record_on_bench, needs_a_brake_an_encoder_and_a_channel_that_are_there) {
     p = wrong;
     return thrown_by([&] { record(tenth); });
   };
-  EXPECT_EQ(error({.brake = 2}), "brake = 2, expected 0 to 1");
-  EXPECT_EQ(error({.brake = -1}), "brake = -1, expected 0 to 1");
-  EXPECT_EQ(error({.encoder = 2}), "encoder = 2, expected 0 to 1");
-  EXPECT_EQ(error({.channel = 3}), "channel = 3, expected 0 to 2");
+  EXPECT_EQ(error({.brake = 2}), "brake = 2: expected 0 to 1");
+  EXPECT_EQ(error({.brake = -1}), "brake = -1: expected 0 to 1");
+  EXPECT_EQ(error({.encoder = 2}), "encoder = 2: expected 0 to 1");
+  EXPECT_EQ(error({.channel = 3}), "channel = 3: expected 0 to 2");
   EXPECT_EQ(device.waits, 0) << "nothing was read";
 }
 

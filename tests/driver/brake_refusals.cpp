@@ -76,16 +76,16 @@ TEST(a_frozen_sensor, gives_no_result_whatever_it_reads) {
   for (const double frozen : {-0.9, 0.0, 1e-9, 1e6}) {
     const samples all = step(true, [&](double) { return frozen; });
     expect_within(thrown_by([&] { ph::fit_step_response(all); }),
-                  "torque of all samples [N m] = ", ", expected readings that differ" + or_none);
+                  "torque of all samples [N m] = ", ": expected readings that differ" + or_none);
     ASSERT_THROW(ph::fit_step_response(all, exact), std::invalid_argument) << frozen;
   }
   const samples all = ramp([](double) { return 0.25; });
   EXPECT_EQ(thrown_by([&] { ph::fit_current_ramp(all); }),
-            "torque of all samples before the ramp [N m] = 0.25, expected readings that differ" + or_none);
+            "torque of all samples before the ramp [N m] = 0.25: expected readings that differ" + or_none);
   EXPECT_EQ(thrown_by([&] { ph::fit_current_ramp(all, {}, exact); }),
-            "ramp.rising[10] [N m] = 0.25, expected more than residual_torque: ramp up to a larger current");
+            "ramp.rising[10] [N m] = 0.25: expected more than residual_torque: ramp up to a larger current");
   for (const std::string& error : sweep_errors(sweep([](double) { return 0.25; })))
-    EXPECT_EQ(error, "torque of all means [N m] = 0.25, expected readings that differ" + or_none);
+    EXPECT_EQ(error, "torque of all means [N m] = 0.25: expected readings that differ" + or_none);
 }
 
 TEST(a_sensor_without_noise, is_declared) {
@@ -117,14 +117,14 @@ TEST(a_number_that_is_none, among_means_is_named) {
     for (const std::string& error : sweep_errors(all)) EXPECT_EQ(error, expected);
   };
   expect([](means&) {}, "nothing");
-  expect([](means& all) { all[7].torque = NAN; }, "means[7].torque [N m] = nan, expected a finite number");
+  expect([](means& all) { all[7].torque = NAN; }, "means[7].torque [N m] = nan: expected a finite number");
   expect([](means& all) { all[7].rate = -INFINITY; },
-         "means[7].rate [rad/s] = -inf, expected a finite number");
+         "means[7].rate [rad/s] = -inf: expected a finite number");
   expect(
       [](means& all) {
         for (auto& mean : all) mean.torque *= 1e200;
       },
-      "sum of the squared residuals where a fit begins = inf, expected a finite number: pass finite "
+      "sum of the squared residuals where a fit begins = inf: expected a finite number: pass finite "
       "samples, in the units of the formula");
 }
 
@@ -133,7 +133,7 @@ TEST(means_that_are_no_more_than_constants, determine_nothing) {
   const auto expect = [&](std::size_t fit, int constants) {
     const auto error = [&](int count) { return sweep_errors(means(all.begin(), all.begin() + count))[fit]; };
     const std::string number = std::to_string(constants);
-    EXPECT_EQ(error(constants), "samples of a fit = " + number + ", expected more than its " + number +
+    EXPECT_EQ(error(constants), "samples of a fit = " + number + ": expected more than its " + number +
                                     " constants: record longer or faster");
     EXPECT_EQ(error(constants + 1), "nothing");
   };
@@ -160,7 +160,7 @@ TEST(a_torque_of_the_wrong_sign, is_refused) {
                   (up ? ", expected > 0 as the current rises" : ", expected < 0 as the current falls") + fix);
   }
   expect_within(ramp_error([](double I) { return -0.02 - I; }), "ramp.rising[10] [N m] = -1.0",
-                ", expected more than residual_torque" + fix);
+                ": expected more than residual_torque" + fix);
   for (const std::string& error : sweep_errors(noisy_sweep([](double w) { return -1 - 0.1 * w; })))
     expect_within(error, "mean torque against the turn [N m] = -1.52", ", expected >= 0" + fix);
 }
@@ -198,7 +198,7 @@ TEST(a_sensor_that_is_saturated, gives_no_curve) {
   std::mt19937_64 bits(1);
   const auto clipped = [&](double I) { return std::min(I + noise(bits), 0.55); };
   EXPECT_EQ(thrown_by([&] { ph::fit_current_ramp(ramp(clipped)); }),
-            "torque of all samples near 0.7 A [N m] = 0.55, expected readings that differ" + or_none);
+            "torque of all samples near 0.7 A [N m] = 0.55: expected readings that differ" + or_none);
 }
 
 TEST(milliseconds, are_no_seconds) {
@@ -207,7 +207,7 @@ TEST(milliseconds, are_no_seconds) {
   EXPECT_NEAR(seconds, 0.03, 0.001);
   for (auto& s : all) s.time *= 1000;
   EXPECT_EQ(thrown_by([&] { ph::fit_step_response(all); }),
-            "mean time between two samples [s] = 1, expected at most 0.2: pass times in seconds, not "
+            "mean time between two samples [s] = 1: expected at most 0.2: pass times in seconds, not "
             "milliseconds, or record faster");
   // Of a bench so fast that this does not show
   std::mt19937_64 bits(1);
@@ -228,13 +228,13 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_step) {
   };
   for (const auto& [spoil, begin, end] : {
            row{[](auto&) {}, "nothing"},
-           row{[](auto& all) { all = {}; }, "samples = 0, expected at least 20: record longer or faster"},
+           row{[](auto& all) { all = {}; }, "samples = 0: expected at least 20: record longer or faster"},
            row{[](auto& all) { all[3].torque = NAN; },
-               "samples[3].torque [N m] = nan, expected a finite number"},
+               "samples[3].torque [N m] = nan: expected a finite number"},
            row{[](auto& all) { all[0].current = -1; },
-               "samples[0].current [A] = -1, expected a finite number >= 0"},
+               "samples[0].current [A] = -1: expected a finite number >= 0"},
            row{[](auto& all) { all[4].time = all[3].time; },
-               "samples[4].time [s] = 0.003, expected more than that of the sample before"},
+               "samples[4].time [s] = 0.003: expected more than that of the sample before"},
            row{[](auto& all) {
                  for (auto& s : all) s.position = std::min(s.position, 1.3);
                },
@@ -244,9 +244,9 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_step) {
            row{[](auto& all) {
                  for (auto& s : all) s.current = 0;
                },
-               "steps of the current = 0, expected 1: record the step up and the step down separately"},
+               "steps of the current = 0: expected 1: record the step up and the step down separately"},
            row{[](auto& all) { all.back().current = 0; },
-               "steps of the current = 2, expected 1: record the step up and the step down separately"},
+               "steps of the current = 2: expected 1: record the step up and the step down separately"},
            row{[](auto& all) {
                  for (auto& s : all) s.torque = 0.01 * (std::lround(1e3 * s.time) % 2);
                },
@@ -271,10 +271,10 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_ramp) {
   EXPECT_EQ(error(ramp_of(1, 200)), "nothing");
   EXPECT_EQ(error(ramp_of(0, 200)), "greatest current [A] = 0, expected > 0: ramp up");
   EXPECT_EQ(error(ramp_of(1, -100)),
-            "samples at 0 A before the ramp = 0, expected at least 8: begin with a pause at 0 A");
+            "samples at 0 A before the ramp = 0: expected at least 8: begin with a pause at 0 A");
   EXPECT_EQ(error(ramp_of(1, 200), {.rising = 0.09}),
-            "delay over the time of the ramp = 0.1, expected less than 0.02: ramp more slowly");
-  EXPECT_EQ(error(ramp_of(1, 200), {.falling = -1}), "falling [s] = -1, expected a finite number >= 0");
+            "delay over the time of the ramp = 0.1: expected less than 0.02: ramp more slowly");
+  EXPECT_EQ(error(ramp_of(1, 200), {.falling = -1}), "falling [s] = -1: expected a finite number >= 0");
   samples all = ramp_of(1, 200);
   all.resize(1300);
   expect_within(error(all), "samples near ", "ramp more slowly, and up to the same current and down to 0");
@@ -287,10 +287,10 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_sweep) {
     return thrown_by([&] { ph::mean_over_windows(all, duration); });
   };
   EXPECT_EQ(error(0, 0.1), "nothing");
-  EXPECT_EQ(error(0, 0), "duration [s] = 0, expected a finite number > 0");
-  EXPECT_EQ(error(0, 0.3), "windows = 3, expected at least 8: record longer, or shorter windows");
+  EXPECT_EQ(error(0, 0), "duration [s] = 0: expected a finite number > 0");
+  EXPECT_EQ(error(0, 0.3), "windows = 3: expected at least 8: record longer, or shorter windows");
   EXPECT_EQ(error(1, 0.1),
-            "samples[501].current [A] = 1, expected that of the first: record the sweep at one current");
+            "samples[501].current [A] = 1: expected that of the first: record the sweep at one current");
   EXPECT_EQ(sweep_errors(means(10))[0],
             "fastest rate [rad/s] = 0, expected > 0: turn the axis, slowly and fast");
 }

@@ -206,11 +206,11 @@ TEST(a_loop_cycle, is_none_by_default) {
 
 TEST(control_loop_parameters, are_checked_by_name) {
   EXPECT_EQ(validate(ph::control_loop_parameters{}), "");
-  EXPECT_EQ(validate(ph::control_loop_parameters{.period = 0}), "period [s] = 0, expected 1e-6 to 1");
+  EXPECT_EQ(validate(ph::control_loop_parameters{.period = 0}), "period [s] = 0: expected 1e-6 to 1");
   EXPECT_EQ(validate(ph::control_loop_parameters{.max_overruns = -1}),
-            "max_overruns = -1, expected a whole number >= 0");
+            "max_overruns = -1: expected a whole number >= 0");
   EXPECT_EQ(validate(ph::control_loop_parameters{.max_sleep = 0}),
-            "max_sleep [s] = 0, expected a finite number > 0");
+            "max_sleep [s] = 0: expected a finite number > 0");
   EXPECT_THROW(ph::control_loop({.period = 2}), std::invalid_argument);
 }
 

@@ -164,10 +164,10 @@ TEST(device_calibration, refuses_a_sensor_frame_whose_link_was_not_given) {
   EXPECT_EQ(error({.link = {0, 0}}), "nothing");
   EXPECT_EQ(
       error({}),
-      "link[0] [1] = nan, expected a finite number; set link to {1, 1} on the last link of a two_link or "
+      "link[0] [1] = nan: expected a finite number; set link to {1, 1} on the last link of a two_link or "
       "tendon_two_link, {0, 1} where q2 is measured from the base, {0, 0} where the sensor does not turn");
-  EXPECT_TRUE(error({.link = {1, INFINITY}}).starts_with("link[1] [1] = inf, expected"));
-  EXPECT_EQ(error({.link = {1, 1}, .mounting = NAN}), "mounting [rad] = nan, expected a finite number");
+  EXPECT_TRUE(error({.link = {1, INFINITY}}).starts_with("link[1] [1] = inf: expected"));
+  EXPECT_EQ(error({.link = {1, 1}, .mounting = NAN}), "mounting [rad] = nan: expected a finite number");
 }
 
 struct slack_arm : arm {
@@ -183,11 +183,11 @@ TEST(device_calibration, names_what_is_wrong) {
   };
   EXPECT_EQ(error([](parameters&) {}), "");
   EXPECT_EQ(error([](parameters& p) { p.rates.window = 0; }),
-            "rates.window [periods] = 0, expected a whole number >= 1");
+            "rates.window [periods] = 0: expected a whole number >= 1");
   EXPECT_EQ(error([](parameters& p) { p.brakes[1].current_limit = 0; }),
-            "brakes[1].current_limit [A] = 0, expected a finite number > 0");
+            "brakes[1].current_limit [A] = 0: expected a finite number > 0");
   EXPECT_EQ(error([](parameters& p) { p.force.handle_mass = NAN; }),
-            "force.handle_mass [kg] = nan, expected a finite number >= 0");
+            "force.handle_mass [kg] = nan: expected a finite number >= 0");
   EXPECT_THROW(ph::device_calibration(slack_arm(), ph::device_calibration_parameters<slack_arm>()),
                std::invalid_argument);
 }

@@ -89,11 +89,11 @@ TEST(encoder_calibration, names_what_is_wrong) {
   };
   EXPECT_EQ(error([](parameters&) {}), "");
   EXPECT_EQ(error([](parameters& p) { p.counts_per_turn[1] = 0; }),
-            "counts_per_turn[1] = 0, expected a finite number, not 0; negative if counts fall in the "
+            "counts_per_turn[1] = 0: expected a finite number, not 0; negative if counts fall in the "
             "positive sense");
   EXPECT_EQ(error([](parameters& p) { p.counts_per_turn[0] = 0; }).substr(0, 22), "counts_per_turn[0] = 0");
   EXPECT_EQ(error([](parameters& p) { p.zero_count[0] = NAN; }),
-            "zero_count[0] = nan, expected a finite number");
+            "zero_count[0] = nan: expected a finite number");
 }
 
 // Homing of encoders whose zero counts are known to the test alone
@@ -176,11 +176,11 @@ TEST(steady_mean, is_of_all_readings_and_begins_anew_when_it_is_told) {
 }
 
 TEST(homing, complains_of_its_parameters) {
-  EXPECT_EQ(validate(ph::steady_parameters{.duration = 0}), "duration [s] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(ph::steady_parameters{.duration = 0}), "duration [s] = 0: expected a finite number > 0");
   EXPECT_EQ(validate(ph::steady_parameters{.tolerance = -1}),
-            "tolerance [counts] = -1, expected a finite number >= 0");
+            "tolerance [counts] = -1: expected a finite number >= 0");
   EXPECT_EQ(validate(ph::steady_parameters{.max_gap = NAN}),
-            "max_gap [s] = nan, expected a finite number > 0");
+            "max_gap [s] = nan: expected a finite number > 0");
   for (const double bad : {double(NAN), double(INFINITY)})
     EXPECT_THROW(ph::homing<2>(homed().believed, {0, bad}), std::invalid_argument) << bad;
 }

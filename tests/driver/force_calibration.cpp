@@ -119,12 +119,12 @@ TEST(force_calibration, names_what_is_wrong) {
   };
   EXPECT_EQ(error([](parameters&) {}), "");
   EXPECT_EQ(error([](parameters& p) { p.handle_mass = -1; }),
-            "handle_mass [kg] = -1, expected a finite number >= 0");
-  EXPECT_EQ(error([](parameters& p) { p.tare[1] = NAN; }), "tare[1] [N] = nan, expected a finite number");
+            "handle_mass [kg] = -1: expected a finite number >= 0");
+  EXPECT_EQ(error([](parameters& p) { p.tare[1] = NAN; }), "tare[1] [N] = nan: expected a finite number");
   EXPECT_EQ(error([](parameters& p) { p.gravity[0] = INFINITY; }),
-            "gravity[0] [m/s^2] = inf, expected a finite number");
+            "gravity[0] [m/s^2] = inf: expected a finite number");
   EXPECT_EQ(error([](parameters& p) { p.newtons_per_unit(1, 2) = NAN; }),
-            "newtons_per_unit(1, 2) [N] = nan, expected a finite number");
+            "newtons_per_unit(1, 2) [N] = nan: expected a finite number");
   EXPECT_EQ(
       error([](parameters& p) { p.gravity = {0, -9.81}; }),
       "handle_mass [kg] = 0, expected > 0 if gravity is given, as gravity acts on nothing else; weigh the "
@@ -132,7 +132,7 @@ TEST(force_calibration, names_what_is_wrong) {
   EXPECT_EQ(error([](parameters& p) { p.gravity = {0, -9.81}, p.handle_mass = 0.2; }), "");
   EXPECT_EQ(
       error([](parameters& p) { p.newtons_per_unit.row(1) = p.newtons_per_unit.row(0); }),
-      "newtons_per_unit has dependent rows, expected independent rows: measure each direction by itself");
+      "newtons_per_unit has dependent rows: expected independent rows: measure each direction by itself");
 }
 
 }  // namespace

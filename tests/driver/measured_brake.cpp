@@ -156,22 +156,22 @@ TEST(a_bench, whose_results_are_missing_or_cannot_be_is_refused_with_what_to_do)
   using results = ph::measured_brake;
   EXPECT_EQ(error_of([](results&) {}), "nothing");
   EXPECT_EQ(error_of([](results& r) { r = {}; }),
-            "time_constant [s] = 0, expected a finite number > 0: record a larger step up, and pass its "
+            "time_constant [s] = 0: expected a finite number > 0: record a larger step up, and pass its "
             "fit_step_response");
   EXPECT_EQ(error_of([](results& r) { r.time_constant.standard_error = INFINITY; }),
-            "time_constant [s].standard_error = inf, expected less than the value: record a larger step up, "
+            "time_constant [s].standard_error = inf: expected less than the value: record a larger step up, "
             "and pass its fit_step_response");
   EXPECT_EQ(error_of([](results& r) { r.fall_time_constant.value = NAN; }),
-            "fall_time_constant [s] = nan, expected a finite number > 0: record a larger step down, and pass "
+            "fall_time_constant [s] = nan: expected a finite number > 0: record a larger step down, and pass "
             "its fit_step_response");
   EXPECT_EQ(error_of([](results& r) { r.fall_time_constant.value = 30; }),
-            "fall_time_constant [s] = 30, expected at most 5: pass the times of the samples in seconds, not "
+            "fall_time_constant [s] = 30: expected at most 5: pass the times of the samples in seconds, not "
             "milliseconds");
   EXPECT_EQ(error_of([](results& r) { r.ramp.residual_torque.value = -0.1; }),
             "ramp.residual_torque [N m] = -0.1, expected >= 0: set torque_at_zero of the bench while no load "
             "acts");
   EXPECT_EQ(error_of([](results& r) { r.rate_dead_band = results().rate_dead_band; }),
-            "rate_dead_band [rad/s] = nan, expected a finite number > 0: pass "
+            "rate_dead_band [rad/s] = nan: expected a finite number > 0: pass "
             "rate_dead_band(resolution, window, period) of its encoder");
 }
 
@@ -188,7 +188,7 @@ TEST(a_bench, whose_steps_are_mixed_up_is_refused) {
   EXPECT_EQ(error(down, up),
             "up.change [N m] = -0.8, expected > 0: pass the step up first, then the step down");
   EXPECT_EQ(error(up, up),
-            "down.change [N m] = 0.8, expected < 0: pass the step up first, then the step down");
+            "down.change [N m] = 0.8: expected < 0: pass the step up first, then the step down");
 }
 
 }  // namespace measured_brake_tests

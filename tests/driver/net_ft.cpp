@@ -102,7 +102,7 @@ TEST(net_ft, parameters_are_checked_by_name) {
     return validate(p);
   };
   EXPECT_EQ(error([](auto&) {}), "");
-  EXPECT_EQ(error([](auto& p) { p.port = 0; }), "port = 0, expected 1 to 65535");
+  EXPECT_EQ(error([](auto& p) { p.port = 0; }), "port = 0: expected 1 to 65535");
   EXPECT_TRUE(has(error([](auto& p) { p.counts_per_force = 0; }), "counts_per_force [1/N] = 0"));
   EXPECT_TRUE(has(error([](auto& p) { p.silence = -1; }), "silence [s] = -1"));
   EXPECT_TRUE(has(error([](auto& p) { p.host = ""; }), "host"));

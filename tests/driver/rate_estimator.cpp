@@ -229,9 +229,9 @@ TEST(rate_estimator, has_no_rate_and_no_span_before_its_second_sample) {
 TEST(rate_estimator, complains_of_what_it_cannot_do) {
   EXPECT_EQ(validate(ph::rate_estimator_parameters{}), "");
   EXPECT_EQ(validate(ph::rate_estimator_parameters{.resolution = 0}),
-            "resolution [counts] = 0, expected a finite number > 0");
+            "resolution [counts] = 0: expected a finite number > 0");
   EXPECT_EQ(validate(ph::rate_estimator_parameters{.window = 0}),
-            "window [periods] = 0, expected a whole number >= 1");
+            "window [periods] = 0: expected a whole number >= 1");
   EXPECT_THROW((ph::rate_estimator<1, 8>({.window = 9})), std::invalid_argument);
 }
 

@@ -99,11 +99,11 @@ TEST(real_time, takes_no_standard_descriptor_that_is_closed) {
 
 TEST(real_time, checks_its_parameters) {
   EXPECT_EQ(validate(ph::real_time_parameters{}), "");
-  EXPECT_EQ(validate(ph::real_time_parameters{.priority = 100}), "priority = 100, expected 0 (none) to 99");
+  EXPECT_EQ(validate(ph::real_time_parameters{.priority = 100}), "priority = 100: expected 0 (none) to 99");
   EXPECT_EQ(validate(ph::real_time_parameters{.cpu = -2}),
-            "cpu = -2, expected -1 (any) or the number of a processor");
+            "cpu = -2: expected -1 (any) or the number of a processor");
   EXPECT_EQ(validate(ph::real_time_parameters{.dma_latency = 2}),
-            "dma_latency [s] = 2, expected < 0 (any) to 1");
+            "dma_latency [s] = 2: expected < 0 (any) to 1");
   EXPECT_THROW(ph::real_time({.priority = -1}), std::invalid_argument);
 }
 

@@ -332,15 +332,15 @@ TEST(the_parameters, of_a_safe_port_are_checked_by_name) {
   auto p = usual();
   EXPECT_EQ(validate(p), "");
   p.currents.max_current[1] = -1;
-  EXPECT_EQ(validate(p), "currents.max_current[1] [A] = -1, expected a finite number > 0");
+  EXPECT_EQ(validate(p), "currents.max_current[1] [A] = -1: expected a finite number > 0");
   p = usual();
   p.sensor.range[2] = 0;
-  EXPECT_EQ(validate(p), "sensor.range[2] = 0, expected a number > 0, or inf");
+  EXPECT_EQ(validate(p), "sensor.range[2] = 0: expected a number > 0, or inf");
   p = usual();
   p.hold_over = 0;
-  EXPECT_EQ(validate(p), "hold_over [s] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(p), "hold_over [s] = 0: expected a finite number > 0");
   p = released_by({.ramp_time = 0});
-  EXPECT_EQ(validate(p), "at_release.ramp_time [s] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(p), "at_release.ramp_time [s] = 0: expected a finite number > 0");
   EXPECT_THROW(safe({nullptr}, {nullptr}, p), std::invalid_argument);
 }
 

@@ -131,7 +131,7 @@ TEST(a_counter, that_can_wrap_within_the_period_is_refused_when_the_port_opens) 
   EXPECT_EQ(opened(0.010), "");
   EXPECT_EQ(
       opened(0.0125),
-      "period [s] = 0.0125, expected less than 0.01023, within which a counter of 12 bits can wrap unseen: "
+      "period [s] = 0.0125: expected less than 0.01023, within which a counter of 12 bits can wrap unseen: "
       "shorten it, lower encoders.max_rate or use a wider counter");
 }
 

@@ -105,7 +105,7 @@ TEST_F(serial_port, parameters_are_checked_by_name) {
   EXPECT_TRUE(has(validate(at("")), "device"));
   auto p = at("/dev/null");
   p.baud = 12345;
-  EXPECT_TRUE(has(validate(p), "baud [bit/s] = 12345, expected one of 9600"));
+  EXPECT_TRUE(has(validate(p), "baud [bit/s] = 12345: expected one of 9600"));
   EXPECT_THROW(port{p}, std::invalid_argument);
   EXPECT_TRUE(has(validate(at("x", std::numeric_limits<double>::quiet_NaN())), "open_timeout [s] = nan"));
 }
@@ -142,9 +142,9 @@ TEST_F(serial_port, another_version_of_the_protocol_and_another_device_are_named
   serial::hello h;
   h.version = 9;
   EXPECT_TRUE(has(peer.open(p, [&] { peer.send(encoded(pack(0, h))); }),
-                  "protocol version of the device = 9, expected 1"));
+                  "protocol version of the device = 9: expected 1"));
   port q(at(peer.path()));
-  EXPECT_TRUE(has(peer.open(q), "the device has 2 encoders and 1 brake, expected 2 encoders and 2 brakes"));
+  EXPECT_TRUE(has(peer.open(q), "the device has 2 encoders and 1 brake: expected 2 encoders and 2 brakes"));
 }
 
 TEST_F(serial_port, a_device_that_goes_away_while_it_is_asked_is_no_time_out) {

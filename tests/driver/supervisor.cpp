@@ -538,9 +538,9 @@ TEST(a_supervisor, checks_its_parameters) {
   EXPECT_EQ(ph::supervisor_parameters{.timeout = 0.2}.look(), 0.05);
   EXPECT_EQ(ph::supervisor_parameters{.timeout = 0.009}.look(), 0.00225) << "no whole number of ms";
   EXPECT_EQ(validate(ph::supervisor_parameters{.timeout = 0.001}),
-            "timeout of the supervisor [s] = 0.001, expected 0.004 to 10");
+            "timeout of the supervisor [s] = 0.001: expected 0.004 to 10");
   EXPECT_EQ(validate(ph::supervisor_parameters{.priority = 100}),
-            "priority of the supervisor = 100, expected 0 (none) to 99");
+            "priority of the supervisor = 100: expected 0 (none) to 99");
 }
 
 }  // namespace supervisor_tests

@@ -68,23 +68,23 @@ TEST_F(numbered, refuses_parts_that_are_not_each_experiment_once) {
       ": expected the head 'experiment, device, wall, environment, l...' in line 1; "
       "merge files that this program wrote";
   for (const auto& [files, message] :
-       {std::pair{"first", std::string("no file has experiments 10 to 29, expected experiments 0 to 29; run "
+       {std::pair{"first", std::string("no file has experiments 10 to 29: expected experiments 0 to 29; run "
                                        "--first 10 --last 29")},
         {"first overlapping",
-         "experiment 9 is in 'first' and in 'overlapping', expected it once; leave one of "
+         "experiment 9 is in 'first' and in 'overlapping': expected it once; leave one of "
          "them out"},
         {"first without_its_end", "'without_its_end', line 21" + copy},
         {"of_a_large_number", "'of_a_large_number', line 2" + copy},
         {"first without_a_head", "'without_a_head'" + its_head},
-        {"first none", "cannot read 'none', expected a file of experiments; give its name anew"},
-        {"first .", "cannot read '.', expected a file of experiments; give its name anew"}}) {
+        {"first none", "cannot read 'none': expected a file of experiments; give its name anew"},
+        {"first .", "cannot read '.': expected a file of experiments; give its name anew"}}) {
     const outcome o = run("--first 0 --last 29 --output merged --merge " + std::string(files));
     EXPECT_EQ(o.status, 1) << files;
     EXPECT_EQ(o.err, "error: " + message + "\n");
     EXPECT_TRUE(fs::is_empty(here / "merged")) << files;
   }
   EXPECT_EQ(run("--first 0 --last 8 --merge first").err,
-            "error: 'first': experiment 9, expected experiments 0 to 8; leave the file out, or give another "
+            "error: 'first': experiment 9: expected experiments 0 to 8; leave the file out, or give another "
             "--first and --last\n");
 }
 
@@ -92,14 +92,14 @@ TEST_F(numbered, refuses_numbers_that_are_none) {
   for (const auto& [arguments, status, message] :
        {std::tuple{
             "--first 3 --last 2", 1,
-            "--first 3 with --last 2, expected a first number that is not above the last; exchange them"},
-        {"--first 3", 1, "--last is missing, expected both --first and --last; add it"},
+            "--first 3 with --last 2: expected a first number that is not above the last; exchange them"},
+        {"--first 3", 1, "--last is missing: expected both --first and --last; add it"},
         {"--first 0 --last 1000000", 1,
-         "experiments 0 to 1000000, expected a part of at most 1000000; run smaller parts and merge them"},
+         "experiments 0 to 1000000: expected a part of at most 1000000; run smaller parts and merge them"},
         {"--first -1 --last 2", 2,
-         "--first: -1, expected a whole number of at most 18 digits; --help lists the options"},
+         "--first: -1: expected a whole number of at most 18 digits; --help lists the options"},
         {"--first 1 --last 1000000000000000000", 2,
-         "--last: 1000000000000000000, expected a whole number of at most 18 digits; --help lists the "
+         "--last: 1000000000000000000: expected a whole number of at most 18 digits; --help lists the "
          "options"}}) {
     const outcome o = run(arguments);
     EXPECT_EQ(o.status, status) << arguments;

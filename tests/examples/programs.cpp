@@ -47,7 +47,7 @@ TEST_F(an_example, refuses_what_it_does_not_know_in_one_line) {
   EXPECT_EQ(run("02_passive_fme", "--output").err,
             "error: --output: 1 required DIR missing; --help lists the options\n");
   EXPECT_EQ(run("02_passive_fme", "--output ''").err,
-            "error: --output: empty, expected a value; --help lists the options\n");
+            "error: --output: empty: expected a value; --help lists the options\n");
 }
 
 TEST_F(an_example, makes_its_folder_and_the_last_one_counts) {

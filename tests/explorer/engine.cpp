@@ -227,11 +227,11 @@ TEST(explorer, inverse_kinematics_reach_where_the_handle_was) {
 
 TEST(explorer, refuses_with_the_words_of_the_library) {
   const auto of_arm = [](const char* line) { return refusal(std::string("mechanism=two_link\n") + line); };
-  EXPECT_EQ(of_arm("mechanism.length_1=abc"), "mechanism.length_1 = 'abc', expected a number");
-  EXPECT_EQ(of_arm("q=1"), "q = '1', expected 2 numbers with commas between");
+  EXPECT_EQ(of_arm("mechanism.length_1=abc"), "mechanism.length_1 = 'abc': expected a number");
+  EXPECT_EQ(of_arm("q=1"), "q = '1': expected 2 numbers with commas between");
   EXPECT_EQ(of_arm("q=1e300,1").substr(0, 23), "passive_haptics: q[0] [");
-  EXPECT_EQ(of_arm("lenght=1"), "setting = 'lenght', expected a name of the device's form");
-  EXPECT_EQ(of_arm("scene=plane:1,2").substr(0, 46), "scene = 'plane:1,2', expected none, plane:X,Y,");
+  EXPECT_EQ(of_arm("lenght=1"), "setting = 'lenght': expected a name of the device's form");
+  EXPECT_EQ(of_arm("scene=plane:1,2").substr(0, 46), "scene = 'plane:1,2': expected none, plane:X,Y,");
   for (const char* line : {"scene=solid:0,0,-1", "scene=edge:0,0,1,0,2,0", "scene=outline:0,0,1,1,2,2",
                            "q=nan,1", "law=magic", "no equals sign"})
     EXPECT_NE(of_arm(line), "") << line;

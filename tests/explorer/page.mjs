@@ -222,12 +222,12 @@ await test('the visitor takes the handle; a record replays, and opens as a log',
 await test('a link that cannot be opened leaves the page, which states the reason', '#v1/fig2', {prepare: keep_saved}, async page => {
   const device = '#v1/?page=wanted&mechanism=two_link';
   for (const [link, expected] of [
-    ['#v1/fig99', /page = 'fig99', expected forces/],
-    ['#v2/fig2', /link = '#v2\/fig2', expected #v1\//],
-    ['#v1/?page=foo&mechanism=two_link', /page = 'foo', expected forces/],
-    ['#v1/?mechanism=five_bar_4&q=3.1,0', /q = '3.1,0', expected joint positions at which the chain closes/],
-    [device + '&foo', /setting = 'foo', expected NAME=VALUE/],
-    [device + '&law=foo', /law = 'foo', expected one of/],
+    ['#v1/fig99', /page = 'fig99': expected forces/],
+    ['#v2/fig2', /link = '#v2\/fig2': expected #v1\//],
+    ['#v1/?page=foo&mechanism=two_link', /page = 'foo': expected forces/],
+    ['#v1/?mechanism=five_bar_4&q=3.1,0', /q = '3.1,0': expected joint positions at which the chain closes/],
+    [device + '&foo', /setting = 'foo': expected NAME=VALUE/],
+    [device + '&law=foo', /law = 'foo': expected one of/],
   ]) {
     await go_to(page, link);
     expect(expected.test(await text_of(page, 'warning')), link + ' has its reason', await text_of(page, 'warning'));

@@ -62,7 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string text = error.what();
     require(text.starts_with("passive_haptics: mesh file " + file.path() + ": "), "an error without the file",
             text);
-    require(fuzz::has(text, ", expected ") || text.ends_with("; the file is damaged"), "nothing was expected",
+    require(fuzz::has(text, ": expected ") || text.ends_with("; the file is damaged"), "nothing was expected",
             text);
     fuzz::require_readable(text);
   }

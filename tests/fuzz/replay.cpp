@@ -121,7 +121,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check(device, log);
   } catch (const example::log_error& error) {
     const std::string found = error.what();
-    require(found.starts_with("log, line ") && fuzz::has(found, ", expected "), "an error without its place",
+    require(found.starts_with("log, line ") && fuzz::has(found, ": expected "), "an error without its place",
             found);
     fuzz::require_readable(found);
   } catch (const std::invalid_argument& error) {

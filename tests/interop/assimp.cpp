@@ -69,11 +69,11 @@ TEST_F(a_mesh_file, that_is_wrong_is_named_with_the_reason) {
   ASSERT_EQ(mkfifo((folder / "fifo.off").c_str(), 0600), 0);
   fs::create_directory(folder / "folder.off");
   EXPECT_EQ(error_text(folder / "none.off"), "no such file");
-  EXPECT_EQ(error_text(folder / "fifo.off"), "is a FIFO, expected a regular file");
-  EXPECT_EQ(error_text(folder / "folder.off"), "is a directory, expected a regular file");
-  EXPECT_EQ(error_text("/dev/zero"), "is a device, expected a regular file");
+  EXPECT_EQ(error_text(folder / "fifo.off"), "is a FIFO: expected a regular file");
+  EXPECT_EQ(error_text(folder / "folder.off"), "is a directory: expected a regular file");
+  EXPECT_EQ(error_text("/dev/zero"), "is a device: expected a regular file");
   EXPECT_EQ(error_text(write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n")),
-            "line 3: '9', expected a vertex of the 2 above, from 1, or back from -1");
+            "line 3: '9': expected a vertex of the 2 above, from 1, or back from -1");
   for (const auto& [name, bytes] : {std::pair{"garbage.dae", std::string(3000, 'x')},
                                     {"empty.off", std::string()},
                                     {"text.txt", std::string("a text")}})
@@ -118,7 +118,7 @@ TEST(a_scene_of_assimp, is_checked_before_it_is_used) {
     scene_of_assimp s;
     s.mesh().mFaces[0].mIndices[2] = index;
     EXPECT_EQ(s.error(), "face 0: index of a vertex = " + std::to_string(index) +
-                             ", expected less than 3; the file is damaged");
+                             ": expected less than 3; the file is damaged");
   }
   scene_of_assimp no_part, no_vertices;
   no_part.scene.mRootNode->mMeshes[0] = 7;

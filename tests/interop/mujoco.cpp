@@ -102,7 +102,7 @@ TEST(a_model_of_mujoco, that_does_not_fit_is_an_error) {
   EXPECT_EQ(error_of(without("handle")),
             "passive_haptics: the MuJoCo model has no 'handle'; mujoco_model() lists the names");
   EXPECT_EQ(error_of(ph::mujoco_model(experiments::planar_rods<3>({0.1, 0.1, 0.1}), 0.5)),
-            "passive_haptics: degrees of freedom of the MuJoCo model = 3, expected 2 as the mechanism has");
+            "passive_haptics: degrees of freedom of the MuJoCo model = 3: expected 2 as the mechanism has");
   EXPECT_TRUE(error_of("<mujoco>").starts_with("passive_haptics: MuJoCo rejects the model: XML parse error"));
   EXPECT_TRUE(error_of(text, 0.01).ends_with("expected 0 in MuJoCo; use a simulated_device"));
 }

@@ -262,11 +262,11 @@ TEST_F(a_urdf, with_parallel_joints_is_planar_in_its_own_plane) {
   };
   EXPECT_EQ(error("0 0.0008 1"), "none") << "1.57 for pi/2";
   EXPECT_EQ(error("0 0 -1"),
-            "joint 'elbow': its axis is opposite to that of joint 'shoulder', expected the same direction; "
+            "joint 'elbow': its axis is opposite to that of joint 'shoulder': expected the same direction; "
             "turn it in the "
             "file, which changes the sign of its position");
   EXPECT_EQ(error("0 1 0"),
-            "joint 'elbow': its axis leaves the plane of the joints before, expected a chain that moves in "
+            "joint 'elbow': its axis leaves the plane of the joints before: expected a chain that moves in "
             "one plane; take "
             "three dimensions");
 }
@@ -298,29 +298,29 @@ constexpr const char *elbow = R"(<joint name="elbow" type="revolute">)", *axis =
                      *tool = R"(<link name="tool"/>)", *last = "</robot>";
 const wrong_urdf wrong_urdfs[] = {
     {R"(<robot name="arm">)", R"(<robot name="arm"><xacro:include filename="a.xacro"/>)",
-     "contains macros of xacro, expected a URDF; run `xacro FILE > robot.urdf` first"},
+     "contains macros of xacro: expected a URDF; run `xacro FILE > robot.urdf` first"},
     {mass, R"(<mass value="${mass}"/>)",
-     "contains macros of xacro, expected a URDF; run `xacro FILE > robot.urdf` first"},
+     "contains macros of xacro: expected a URDF; run `xacro FILE > robot.urdf` first"},
     {elbow, R"(<joint name="elbow" type="floating">)",
-     "joint 'elbow': type = floating, expected revolute, continuous, prismatic or fixed"},
+     "joint 'elbow': type = floating: expected revolute, continuous, prismatic or fixed"},
     {elbow, R"(<joint name="elbow" type="planar">)",
-     "joint 'elbow': type = planar, expected revolute, continuous, prismatic or fixed"},
+     "joint 'elbow': type = planar: expected revolute, continuous, prismatic or fixed"},
     {elbow, R"(<joint name="elbow" type="revolute"><mimic joint="shoulder"/>)",
-     "joint 'elbow': mimics joint 'shoulder', expected a joint that moves by itself; end the chain before it "
+     "joint 'elbow': mimics joint 'shoulder': expected a joint that moves by itself; end the chain before it "
      "or make it fixed"},
-    {axis, R"(<axis xyz="0 0 0"/>)", "joint 'shoulder': length of its axis = 0, expected a direction"},
-    {mass, R"(<mass value="-2"/>)", "link 'column': mass [kg] = -2, expected a finite number >= 0"},
+    {axis, R"(<axis xyz="0 0 0"/>)", "joint 'shoulder': length of its axis = 0: expected a direction"},
+    {mass, R"(<mass value="-2"/>)", "link 'column': mass [kg] = -2: expected a finite number >= 0"},
     {mass, R"(<mass value="0"/>)",
-     "joint 'lift': no mass moves with it before the next joint, expected a mass > 0; give its child link an "
+     "joint 'lift': no mass moves with it before the next joint: expected a mass > 0; give its child link an "
      "inertial element"},
     {inertia, R"(ixx="0.02" ixy="0.1")",
      "link 'column': principal moments [kg m^2] = 0.12, 0.01, -0.08: expected the inertia of a rigid body; "
      "correct the file"},
     {last, R"(<joint name="loop" type="fixed"><parent link="tool"/><child link="upper"/></joint></robot>)",
-     "link 'upper' is the child of joints 'loop' and 'shoulder', expected one parent: closed loops are no "
+     "link 'upper' is the child of joints 'loop' and 'shoulder': expected one parent: closed loops are no "
      "serial chain"},
     {R"(<parent link="forearm"/><child link="tool"/>)", R"(<parent link="tool"/><child link="tool"/>)",
-     "the joints before link 'tool' form a loop, expected a tree of links"},
+     "the joints before link 'tool' form a loop: expected a tree of links"},
 };
 // Likewise, reported by urdfdom: the element that it names.
 const wrong_urdf not_urdfs[] = {
@@ -367,17 +367,17 @@ TEST_F(a_urdf, is_asked_for_links_and_joints_that_it_has) {
   };
   const std::string links = "'camera', 'column', 'forearm', 'jaw', 'table', 'tool', 'upper'";
   EXPECT_EQ(error("table", "tool"),
-            "moving joints = 3 (lift, shoulder, elbow), expected 7; write chain_from_urdf<3> or choose other "
+            "moving joints = 3 (lift, shoulder, elbow): expected 7; write chain_from_urdf<3> or choose other "
             "links");
-  EXPECT_EQ(error("table", "tol"), "tip_link = 'tol', expected one of its links: " + links);
-  EXPECT_EQ(error("base", "tool"), "base_link = 'base', expected one of its links: " + links);
+  EXPECT_EQ(error("table", "tol"), "tip_link = 'tol': expected one of its links: " + links);
+  EXPECT_EQ(error("base", "tool"), "base_link = 'base': expected one of its links: " + links);
   EXPECT_EQ(error("tool", "table"),
-            "base_link = 'tool', expected a link before tip_link = 'table': it has none");
+            "base_link = 'tool': expected a link before tip_link = 'table': it has none");
   EXPECT_EQ(error("camera", "tool"),
-            "base_link = 'camera', expected a link before tip_link = 'tool': 'forearm', 'upper', 'column', "
+            "base_link = 'camera': expected a link before tip_link = 'tool': 'forearm', 'upper', 'column', "
             "'table'");
   EXPECT_EQ(error("tool", "tool"),
-            "moving joints = 0 (), expected 7; write chain_from_urdf<0> or choose other links");
+            "moving joints = 0 (): expected 7; write chain_from_urdf<0> or choose other links");
 }
 
 TEST_F(a_urdf, is_a_regular_file_that_the_parser_can_take) {
@@ -387,7 +387,7 @@ TEST_F(a_urdf, is_a_regular_file_that_the_parser_can_take) {
     for (int i = 0; i < 100000; ++i) s += "<a>";
     return s;
   }();
-  EXPECT_EQ(error_text([&] { read(deep); }), "nested elements = 100001, expected at most 200");
+  EXPECT_EQ(error_text([&] { read(deep); }), "nested elements = 100001: expected at most 200");
   EXPECT_EQ(error_text([&] { read(""); }), "not a URDF: Error document empty.");
   EXPECT_EQ(error_text([&] { read("<sdf version='1.6'/>"); }),
             "not a URDF: Could not find the 'robot' element in the xml file");

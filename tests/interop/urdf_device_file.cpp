@@ -62,16 +62,16 @@ TEST(urdf_of_a_device_file, that_is_wrong_is_reported_with_file_and_line) {
   const std::string robots = "[mechanism] URDF " PASSIVE_HAPTICS_SOURCE_DIR "/tests/interop/robots/";
   EXPECT_EQ(error_of("urdf = \"no.urdf\"\n"), ":2: " + robots + "no.urdf: no such file");
   EXPECT_EQ(error_of(baxter + std::string("type = \"planar_chain_2_with_inertia\"\n")),
-            ":5: [mechanism] type = \"planar_chain_2_with_inertia\", expected spatial_chain_7_with_inertia, "
+            ":5: [mechanism] type = \"planar_chain_2_with_inertia\": expected spatial_chain_7_with_inertia, "
             "which has as many joints as " +
                 robots.substr(12) + "baxter.urdf");
   EXPECT_EQ(error_of("urdf = \"kinova.urdf\"\nbase = \"j2s6s200_link_1\"\ntip = \"j2s6s200_end_effector\"\n"),
             ":2: " + robots +
-                "kinova.urdf: moving joints = 5, expected 2 to 4 in one plane, or 3, 6 or 7 in space; choose "
+                "kinova.urdf: moving joints = 5: expected 2 to 4 in one plane, or 3, 6 or 7 in space; choose "
                 "other links");
-  EXPECT_EQ(error_of("urdf = 7"), ":2: mechanism.urdf = 7, expected a text in quotes");
+  EXPECT_EQ(error_of("urdf = 7"), ":2: mechanism.urdf = 7: expected a text in quotes");
   EXPECT_EQ(error_of(baxter, ph::runtime::catalogue()),
-            ":2: mechanism.urdf = 'baxter.urdf', expected a program that reads URDFs; install Debian's "
+            ":2: mechanism.urdf = 'baxter.urdf': expected a program that reads URDFs; install Debian's "
             "liburdfdom-dev, then build it again");
 }
 

@@ -83,7 +83,7 @@ def test_effects_without_a_wall(tmp_path):
     assert min(capacities(device, [0.7, 0.8])[0]) > 0
     again = pickle.loads(pickle.dumps(device))
     assert again == device and capacities(again, [0.7, 0.8]) == capacities(device, [0.7, 0.8])
-    with pytest.raises(TypeError, match="scene has effects, expected one without"):
+    with pytest.raises(TypeError, match="scene has effects: expected one without"):
         ph.held_scene(device.scene, 0.1)
 
 
@@ -112,5 +112,5 @@ def test_a_chain_of_a_urdf():
         return
     assert arm.dof == 7 and arm.has_inertia
     assert arm.position(np.zeros(7)) == pytest.approx([0.03, 0, 0.76], abs=1e-15)
-    with pytest.raises(ValueError, match="seven_joint_arm.urdf: tip_link = 'handel', expected one of its links: 'base', 'handle'"):
+    with pytest.raises(ValueError, match="seven_joint_arm.urdf: tip_link = 'handel': expected one of its links: 'base', 'handle'"):
         ph.chain_from_urdf(urdf, "base", "handel")

@@ -90,7 +90,7 @@ def test_batches(device, law, tmp_path):
     assert again.capacity is by_columns.capacity
     assert again == by_rows
     fewer = control.batch(*columns, case.time, fields=["alpha"])
-    with pytest.raises(AttributeError, match="torque of a batch_result was not asked for, expected one of capacity, outcome, alpha"):
+    with pytest.raises(AttributeError, match="torque of a batch_result was not asked for: expected one of capacity, outcome, alpha"):
         fewer.torque
     assert fewer.capacity.tobytes() == by_rows.capacity.tobytes()
     assert control.batch(*columns, case.time, fields=["signs"], out=fewer).signs.tobytes() == by_rows.signs.tobytes()

@@ -87,14 +87,14 @@ def test_logs_of_other_programs_are_read(tmp_path):
 
 
 @pytest.mark.parametrize("text, expected", [
-    ("t,q1\n0,x\n", "a.csv, line 2, column 2: 'x', expected a finite number for 'q1'"),
-    ("t,q1\n0,1\n0.5\n", "a.csv, line 3, column 2: the line ends, expected a cell for 'q1'"),
-    ("t,q1\n1,1\n0,1\n", "a.csv, line 3, column 1: time 0, expected no time before that of the line above"),
-    ("# units: s,deg\nt,q1\n0,1\n", "a.csv, line 2, column 2: 'q1' in 'deg', expected it in rad or m"),
-    ("# passive_haptics log 9\nt\n0\n", "a.csv, line 1: version 9, expected version 1"),
-    ("", "a.csv, line 1: the log is empty, expected a line of names, t,q1,..."),
-    ("# units: s,1\nt,mine\n0,inf\n", "a.csv, line 3, column 2: 'inf', expected a finite number for 'mine'"),
-    ("t\n0\0\n1\n", "a.csv, line 2: a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, "
+    ("t,q1\n0,x\n", "a.csv, line 2, column 2: 'x': expected a finite number for 'q1'"),
+    ("t,q1\n0,1\n0.5\n", "a.csv, line 3, column 2: the line ends: expected a cell for 'q1'"),
+    ("t,q1\n1,1\n0,1\n", "a.csv, line 3, column 1: time 0: expected no time before that of the line above"),
+    ("# units: s,deg\nt,q1\n0,1\n", "a.csv, line 2, column 2: 'q1' in 'deg': expected it in rad or m"),
+    ("# passive_haptics log 9\nt\n0\n", "a.csv, line 1: version 9: expected version 1"),
+    ("", "a.csv, line 1: the log is empty: expected a line of names, t,q1,..."),
+    ("# units: s,1\nt,mine\n0,inf\n", "a.csv, line 3, column 2: 'inf': expected a finite number for 'mine'"),
+    ("t\n0\0\n1\n", "a.csv, line 2: a zero byte or Ctrl-Z: expected text; lines may be lost here: if none is, "
      "remove such bytes"),
 ])  # fmt: skip
 def test_a_mistake_is_named_with_its_place(tmp_path, text, expected):

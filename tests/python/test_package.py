@@ -56,7 +56,7 @@ def test_types_pass_mypy(tmp_path):
 def test_guide_runs():
     text = run(sys.executable, os.path.join(ROOT, "docs", "guide", "python.py"))
     assert "0.4 s: 19 mm along the wall,  2.04 mm deep, feels 2.01 N\n" in text  # as in the README
-    assert "length_1 [m] = -1, expected a finite number > 0" in text
+    assert "length_1 [m] = -1: expected a finite number > 0" in text
 
 
 def test_picture_is_drawn(tmp_path):
@@ -109,7 +109,7 @@ def test_a_value_that_was_not_made_is_an_error():
         (ph.controller, repr), (ph.wall, ph.scene), (ph.half_space, ph.wall), (ph.brakes, control.set_brakes),
         (ph.device_state, control), (ph.device_state, repr), (ph.step_result, repr), (ph.device_state, pickle.dumps),
     ):  # fmt: skip
-        with pytest.raises(TypeError, match="without parameters, expected a call"):
+        with pytest.raises(TypeError, match="without parameters: expected a call"):
             use(kind.__new__(kind))
 
 

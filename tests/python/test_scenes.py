@@ -224,7 +224,7 @@ def test_other_files(read, text, tmp_path):
     assert ("line 9: 'Kd'" in remarks) == (read is ph.read_obj)
     assert len(mesh) == 4 and np.ptp(mesh.vertices) == 0.1
     assert read(str(path), 0.1) == (mesh, remarks)
-    with pytest.raises(ValueError, match=r"^passive_haptics: mesh file .*tetrahedron: .*, expected "):
+    with pytest.raises(ValueError, match=r"^passive_haptics: mesh file .*tetrahedron: .*: expected "):
         path.write_text(text.replace("0 1 0", "0 one 0"))
         read(path)
 

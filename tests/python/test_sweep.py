@@ -98,11 +98,11 @@ def test_results_of_one_object_are_as_if_each_had_its_own():
 
 
 def test_seeds_and_sizes_that_are_not_valid():
-    with pytest.raises(TypeError, match="item = <function .*, expected one that can be pickled"):
+    with pytest.raises(TypeError, match="item = <function .*: expected one that can be pickled"):
         sweep(experiment, [1, lambda: 2])
     with pytest.raises(ValueError, match="item 3 is given twice"):
         sweep(experiment, [3, 1, 3])
-    with pytest.raises(ValueError, match="experiments_per_task = 0, expected 1 or more"):
+    with pytest.raises(ValueError, match="experiments_per_task = 0: expected 1 or more"):
         sweep(experiment, [3], experiments_per_task=0)
 
 
@@ -202,7 +202,7 @@ def test_a_file_of_another_function_or_kind_is_refused(tmp_path):
     assert file.read_bytes() == before
     other = tmp_path / "letter.txt"
     other.write_text("Dear reader")
-    with pytest.raises(ValueError, match="letter.txt: file is not a database, expected a new file or one of a sweep"):
+    with pytest.raises(ValueError, match="letter.txt: file is not a database: expected a new file or one of a sweep"):
         sweep(experiment, [1], file=other)
     assert other.read_text() == "Dear reader"
 
@@ -215,7 +215,7 @@ def test_a_file_is_used_once_at_a_time(tmp_path):
     program = "import experiments, sys; from passive_haptics.sweep import sweep; sweep(abs, [1], file=sys.argv[1])"
     path = tmp_path / "results"
     with _results_in(path):
-        with pytest.raises(BlockingIOError, match="results is in use, expected one that no other sweep writes"):
+        with pytest.raises(BlockingIOError, match="results is in use: expected one that no other sweep writes"):
             sweep(abs, [1], file=path)
         other = subprocess.run([sys.executable, "-c", program, path], env=environment(), capture_output=True, text=True)
         assert "results is in use" in other.stderr

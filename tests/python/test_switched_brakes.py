@@ -94,12 +94,12 @@ def test_misuses():
     chain, scene = ph.planar_arm([0.1, 0.1, 0.1]), ph.scene(ph.wall(ph.half_space([0, 0.2], [0, -1])))
     control = ph.controller(arm, arm.brakes(), scene, ph.direct_control())
     for call, error, text in (
-        (lambda: arm.brakes(torque_lower=[0.1, 0]), ValueError, "torque_lower[0] [N m] = 0.1, expected a number <= 0"),
-        (lambda: arm.brakes(torque_upper=[0, -1]), ValueError, "torque_upper[1] [N m] = -1, expected a number >= 0"),
-        (lambda: arm.brakes(torque_upper=[0]), ValueError, "length of torque_upper = 1, expected 2"),
+        (lambda: arm.brakes(torque_lower=[0.1, 0]), ValueError, "torque_lower[0] [N m] = 0.1: expected a number <= 0"),
+        (lambda: arm.brakes(torque_upper=[0, -1]), ValueError, "torque_upper[1] [N m] = -1: expected a number >= 0"),
+        (lambda: arm.brakes(torque_upper=[0]), ValueError, "length of torque_upper = 1: expected 2"),
         (lambda: ph.controller(chain, chain.brakes(torque_upper=[0, 0, 0]), scene, ph.direct_control()), ValueError,
          "a controller of a mechanism with more joints than task dimensions supports such brakes only in C++"),
-        (lambda: control.set_brakes(3), TypeError, "brakes = 3 (int), expected what brakes() of the mechanism returns"),
+        (lambda: control.set_brakes(3), TypeError, "brakes = 3 (int): expected what brakes() of the mechanism returns"),
         (lambda: control.set_brakes(DEVICES["delta"]().brakes()), TypeError, "for its number of brakes"),
         (lambda: ph.simulated_device(arm, arm.brakes(torque_upper=[0, 0]), 0.5, [0.7, 0.8]), ValueError,
          "expected brakes that work both ways"),

@@ -267,7 +267,7 @@ def test_functions_of_many_poses_are_those_of_each(name):
     assert device.jacobian(q).tolist() == [device.jacobian(row).tolist() for row in q]
     assert device.brake_rates(q, qd).tolist() == [device.brake_rates(*row).tolist() for row in zip(q, qd)]
     if "chain" in name:
-        with pytest.raises(TypeError, match="a serial_chain has no inverse, expected nearest_pose"):
+        with pytest.raises(TypeError, match="a serial_chain has no inverse: expected nearest_pose"):
             device.inverse(device.position(q[0]))
         return
     x = np.vstack([device.position(q), np.full(device.task_dimension, 9.0)])
@@ -280,7 +280,7 @@ def test_functions_of_many_poses_are_those_of_each(name):
 def test_what_no_device_has_is_a_warning():
     arm = ph.tendon_two_link()
     for call, text in (
-        (lambda: ph.tendon_two_link(length_1=150), r"length_1 \[m\] = 150, expected at most"),
+        (lambda: ph.tendon_two_link(length_1=150), r"length_1 \[m\] = 150: expected at most"),
         (lambda: ph.device_state(0, [119.7, -82.5], [0, 0]), "q has 119.7, usually within two turns: degrees"),
         (lambda: arm.brakes(time_constant=20), r"time_constant\[0\] \[s\] = 20"),
     ):

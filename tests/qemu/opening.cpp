@@ -39,12 +39,12 @@ outcome wrong_subdevice() {
   auto p = port_parameters();
   p.output_subdevice = 0;
   return says(p,
-              "output_subdevice = 0, expected a subdevice of /dev/comedi1 that is an analog output, as 1 is");
+              "output_subdevice = 0: expected a subdevice of /dev/comedi1 that is an analog output, as 1 is");
 }
 outcome wrong_channel() {
   auto p = port_parameters();
   p.brakes[1].channel = 8;
-  return says(p, "brakes[1].channel = 8, expected less than 8");
+  return says(p, "brakes[1].channel = 8: expected less than 8");
 }
 outcome wrong_range() {
   auto p = port_parameters();

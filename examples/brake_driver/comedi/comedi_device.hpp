@@ -37,11 +37,11 @@ class comedi_device {
       text << name << ": " << file_ << " (" << comedi_get_board_name(get()) << ") has no subdevice that is "
            << type_name(type) << "; use a card that has one";
     } else if (wanted >= comedi_get_n_subdevices(get())) {
-      text << name << " = " << index << ", expected 0 to " << comedi_get_n_subdevices(get()) - 1
+      text << name << " = " << index << ": expected 0 to " << comedi_get_n_subdevices(get()) - 1
            << ", as many as " << file_ << " (" << comedi_get_board_name(get()) << ") has; subdevice " << first
            << " is " << type_name(type);
     } else if (comedi_get_subdevice_type(get(), static_cast<unsigned>(wanted)) != type) {
-      text << name << " = " << index << ", expected a subdevice of " << file_ << " that is "
+      text << name << " = " << index << ": expected a subdevice of " << file_ << " that is "
            << type_name(type) << ", as " << first << " is";
     }
     found = static_cast<unsigned>(wanted);
@@ -53,11 +53,11 @@ class comedi_device {
     const int count = comedi_get_n_channels(get(), c.subdevice);
     std::ostringstream text;
     if (c.channel >= static_cast<unsigned>(count < 0 ? 0 : count)) {
-      text << name << " = " << c.channel << ", expected less than " << count
+      text << name << " = " << c.channel << ": expected less than " << count
            << ", the number of channels of subdevice " << c.subdevice;
     } else if (c.max_sample = comedi_get_maxdata(get(), c.subdevice, c.channel); c.max_sample == 0) {
       text << name << " = " << c.channel << ": subdevice " << c.subdevice
-           << " reports no maximum sample (maxdata), expected at least 1; use another driver";
+           << " reports no maximum sample (maxdata): expected at least 1; use another driver";
     }
     return text.str();
   }
@@ -67,7 +67,7 @@ class comedi_device {
     const comedi_range* r = comedi_get_range(get(), c.subdevice, c.channel, c.range);
     std::ostringstream text;
     if (r == nullptr || r->unit != UNIT_volt || !(r->max > r->min)) {
-      text << name << " = " << c.range << ", expected a range in volts: subdevice " << c.subdevice
+      text << name << " = " << c.range << ": expected a range in volts: subdevice " << c.subdevice
            << ", channel " << c.channel << " has" << ranges(c);
       return text.str();
     }
@@ -105,7 +105,7 @@ class comedi_device {
   static std::string reason(int error) {
     switch (error) {
       case ENOENT:
-        return " does not exist, expected the file of a Comedi card: load the card's driver (sudo modprobe "
+        return " does not exist: expected the file of a Comedi card: load the card's driver (sudo modprobe "
                "NAME), or name "
                "another (ls /dev/comedi*)";
       case EACCES:

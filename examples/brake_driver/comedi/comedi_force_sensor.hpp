@@ -75,7 +75,7 @@ class comedi_force_sensor {
                                                        : SDF_DIFF)) != 0;
     };
     if (offered(p_.reference)) return "";
-    std::string text = "reference: not of this card, expected one of";
+    std::string text = "reference: not of this card: expected one of";
     for (const auto& [reference, name] :
          {std::pair{comedi_reference::ground, " ground"}, std::pair{comedi_reference::common, " common"},
           std::pair{comedi_reference::differential, " differential"}})

@@ -107,9 +107,9 @@ class comedi_port {
     const double needed = b.max_current / b.amperes_per_volt;
     if (!(c.low <= 0 && c.high > 0)) {
       text << name << "range = " << b.range << " (" << c.low << " to " << c.high
-           << " V), expected one from 0 V, for a free brake, upwards: the channel has" << device_.ranges(c);
+           << " V): expected one from 0 V, for a free brake, upwards: the channel has" << device_.ranges(c);
     } else if (needed > c.high) {
-      text << name << "max_current [A] = " << b.max_current << " needs " << needed << " V, expected at most "
+      text << name << "max_current [A] = " << b.max_current << " needs " << needed << " V: expected at most "
            << c.high << " V: lower it, or choose another range" << device_.ranges(c);
     }
     return text.str();
@@ -136,7 +136,7 @@ class comedi_port {
       return "";
     std::ostringstream text;
     text << name << "channel = " << c.channel << " counts to " << c.max_sample
-         << ", expected 2^n - 1, the same for all encoders: use counters of one kind";
+         << ": expected 2^n - 1, the same for all encoders: use counters of one kind";
     return text.str();
   }
 

@@ -141,7 +141,7 @@ void read_homing(toml_section from, configuration& c) {
   if (const auto q = c.mechanism.of().inverse(usual); q.count == count) c.home = filled_up<axis_numbers>(q);
   else if (!from.has("pose"))
     from.require(
-        "pose is missing, expected joint positions at the start [rad or m]: without it the handle of a " +
+        "pose is missing: expected joint positions at the start [rad or m]: without it the handle of a " +
         c.device.mechanism.name + " would start at " +
         (usual.size() == 2 ? "(0.08, 0.2245)" : "(0, 0, -0.1495)") + " m, for which no pose is known");
   read_first(from, "pose", c.home, count);
@@ -157,7 +157,7 @@ void read_sensor_frame(toml_section& from, configuration& c) {
   const joint_motion joints(c.mechanism);
   if (!joints.angles_add_up && !from.has("link"))
     from.require(
-        "link is missing, expected how far each joint turns the sensor: both angles of a " +
+        "link is missing: expected how far each joint turns the sensor: both angles of a " +
         c.device.mechanism.name +
         " are measured from the base, so [1, 0] or [0, 1] on a driven link, [0, 0] if the sensor does not "
         "rotate; distal links are not supported");
@@ -286,7 +286,7 @@ void read_simulation(toml_section from, configuration& c) {
 std::string without_inertia(const configuration& c) {
   if (c.mechanism.of().has_inertia()) return "";
   return "[mechanism] type = \"" + c.device.mechanism.name +
-         "\", expected one with inertia, which a simulated device needs";
+         "\": expected one with inertia, which a simulated device needs";
 }
 
 void read_loop(toml_section from, configuration& c) {
@@ -348,14 +348,14 @@ configuration read_configuration(const std::string& path) {
     from.refuse("heat", "continuous_current, above which a coil heats up; add it, or remove heat");
   if (c.port == "comedi" && c.safety.at_release.policy != ph::release_policy::zero)
     file.require(
-        "[safety] at_release, expected \"zero\": a card under Comedi has no watchdog, so its currents "
+        "[safety] at_release: expected \"zero\": a card under Comedi has no watchdog, so its currents "
         "stay if the program dies");
   if (c.safety.hold_over < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
     file.require(
-        "[safety] hold_over and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");
+        "[safety] hold_over and supervisor_timeout: expected at least 2 and 4 times the period of [loop]");
   if ((c.sensor == "simulated") != (c.port == "simulated") && c.sensor != "none")
     file.require("[port] type = \"" + c.port + "\" and [sensor] type = \"" + c.sensor +
-                 "\", expected both simulated or none");
+                 "\": expected both simulated or none");
   if (c.port == "simulated") file.require(without_inertia(c));
   return c;
 }

@@ -105,14 +105,14 @@ std::string home_error(const configuration& c) {
   const std::string pose = "pose = " + pose_in_words(c);
   if (!ph::all_finite(x))
     return "pose = " + angles_in_words(c) +
-           ", expected a pose that the mechanism can take; check its lengths and the pose";
+           ": expected a pose that the mechanism can take; check its lengths and the pose";
   if (const wall_depth deepest = deepest_wall(c.walls, x); deepest.is_over(c.start.max_start_depth)) {
     const named_wall& wall = c.walls[static_cast<std::size_t>(deepest.number - 1)];
     return pose + ", " + millimetres(deepest.depth) + " inside wall " + std::to_string(deepest.number) +
-           " (" + wall.type + "), expected at most max_start_depth, " +
+           " (" + wall.type + "): expected at most max_start_depth, " +
            ph::detail::number_text(1e3 * c.start.max_start_depth) + " mm" + likely_cause(c, wall.free_side);
   }
-  if (looks_like_degrees(c)) return pose + ", expected angles within a turn" + likely_cause(c, "");
+  if (looks_like_degrees(c)) return pose + ": expected angles within a turn" + likely_cause(c, "");
   return "";
 }
 

@@ -72,7 +72,7 @@ class shared_simulated_wire {
     const int to = file.empty() ? -1 : open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (!file.empty() && (to < 0 || ftruncate(to, sizeof(wire)) != 0))
       throw std::runtime_error("[simulation] wire = " + file + ": " + std::strerror(errno) +
-                               ", expected the name of a new file");
+                               ": expected the name of a new file");
     void* memory =
         mmap(nullptr, sizeof(wire), PROT_READ | PROT_WRITE, MAP_SHARED | (to < 0 ? MAP_ANONYMOUS : 0), to, 0);
     if (to >= 0) close(to);

@@ -24,7 +24,7 @@ double of_law(const configuration& c, std::string_view name, double otherwise) {
 // The wall at the home pose, approached at this speed [m/s].
 ph::braked_wall wall_at_home(const configuration& c, double approach) {
   if (c.walls.empty())
-    throw std::invalid_argument("walls = [], expected one or more for --limits, which is about the first");
+    throw std::invalid_argument("walls = []: expected one or more for --limits, which is about the first");
   const spatial n = c.walls.front().gradient(c.mechanism.handle(c.home)),
                 u = filled_up<spatial>(c.simulation.direction);
   const spatial along = u - n * n.dot(u);
@@ -45,7 +45,7 @@ ph::braked_wall wall_at_home(const configuration& c, double approach) {
                                                  .hand_mass = c.simulation.hand_mass});
   if (!found)
     throw std::invalid_argument("[mechanism] type = \"" + c.device.mechanism.name +
-                                "\", expected one with inertia and no more joints than dimensions for "
+                                "\": expected one with inertia and no more joints than dimensions for "
                                 "--limits");
   ph::braked_wall wall = *found;
   wall.push = c.simulation.push;

@@ -25,7 +25,7 @@ struct serial_port_parameters {
   }
   /// Requires a device and a supported rate.
   std::string rules() const {
-    if (device.empty()) return "device is empty, expected the file of a serial port, as /dev/ttyACM0";
+    if (device.empty()) return "device is empty: expected the file of a serial port, as /dev/ttyACM0";
     return check_baud("baud [bit/s]", baud);
   }
 };
@@ -49,11 +49,11 @@ inline std::string error_of_hello(const serial::hello& h, int encoders, int brak
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };
   if (h.version != serial::protocol_version)
-    return "protocol version of the device = " + std::to_string(h.version) + ", expected " +
+    return "protocol version of the device = " + std::to_string(h.version) + ": expected " +
            std::to_string(serial::protocol_version) + "; flash the firmware that came with this program";
   if (h.encoders != encoders || h.brakes != brakes)
     return "the device has " + counted(h.encoders, "encoder") + " and " + counted(h.brakes, "brake") +
-           ", expected " + counted(encoders, "encoder") + " and " + counted(brakes, "brake") +
+           ": expected " + counted(encoders, "encoder") + " and " + counted(brakes, "brake") +
            "; flash firmware with these settings, or configure another device";
   return "";
 }

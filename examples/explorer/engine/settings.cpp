@@ -57,7 +57,7 @@ void refuse(std::string_view name, std::string_view found, std::string_view expe
   constexpr std::size_t max_length = 80;
   std::string text = ph::detail::printable(found.substr(0, max_length));
   throw std::invalid_argument(
-      std::string(name).append(" = '").append(text).append("', expected ").append(expected));
+      std::string(name).append(" = '").append(text).append("': expected ").append(expected));
 }
 
 std::vector<double> numbers_of(std::string_view name, std::string_view text) {

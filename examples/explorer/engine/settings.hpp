@@ -42,7 +42,7 @@ class settings {
 
 /// The shortest text of a number.
 std::string number_text(double value);
-/// "name = found, expected ...", thrown as std::invalid_argument.
+/// "name = found: expected ...", thrown as std::invalid_argument.
 [[noreturn]] void refuse(std::string_view name, std::string_view found, std::string_view expected);
 /// "one of A, B", of the names of the elements of a list.
 template <class Elements, class Name>

@@ -16,10 +16,10 @@ function tables_of(text) {
     if (name) tables.push({name, keys: new Map()});
     else if (key && value.split('[').length > value.split(']').length) return; // the list goes on
     else if (key) tables.at(-1).keys.set(key, value_of(value, k + 1));
-    else if (open) throw `line ${k + 1}: '${open.slice(0, 80)}', expected [table] or key = value`;
+    else if (open) throw `line ${k + 1}: '${open.slice(0, 80)}': expected [table] or key = value`;
     open = '';
   });
-  if (open) throw `last line: '${open.slice(0, 80)}', expected a ] at its end`;
+  if (open) throw `last line: '${open.slice(0, 80)}': expected a ] at its end`;
   return tables;
 }
 
@@ -27,7 +27,7 @@ function value_of(text, line) {
   try {
     return JSON.parse(text.replace(/,\s*\]/g, ']').replace(/(\d)_(?=\d)/g, '$1'));
   } catch {
-    throw `line ${line}: '${text.slice(0, 80)}', expected a number, a text in quotes or a list of numbers`;
+    throw `line ${line}: '${text.slice(0, 80)}': expected a number, a text in quotes or a list of numbers`;
   }
 }
 

@@ -48,7 +48,7 @@ function open_page({page, settings, reason}) {
   const preset = !settings && preset_of(name);
   if (preset) return begin(question_of(parse_settings(preset.settings), preset.id), preset.settings, preset, false);
   const expected = questions.map(other => other.id).join(', ');
-  return `page = ${quoted(name)}, expected ` + (settings ? expected : expected + ' or the id of a figure');
+  return `page = ${quoted(name)}: expected ` + (settings ? expected : expected + ' or the id of a figure');
 }
 
 // Goes to a question, with the device that was chosen, or with that of the question. Returns why not, as

@@ -21,12 +21,12 @@ export function format_settings(settings) {
 export function parse_link(hash) {
   if (hash.length < 2) return {};
   const match = /^#v1\/(.+)$/s.exec(hash);
-  if (!match) return {reason: `link = ${quoted(hash)}, expected #${link_version}/ and a page or settings`};
+  if (!match) return {reason: `link = ${quoted(hash)}: expected #${link_version}/ and a page or settings`};
   if (!match[1].startsWith('?')) return {page: safe_decode(match[1])};
   const settings = new Map();
   for (const part of match[1].slice(1).split('&')) {
     const at = part.indexOf('=');
-    if (at < 0 && part) return {reason: `setting = ${quoted(safe_decode(part))}, expected NAME=VALUE`};
+    if (at < 0 && part) return {reason: `setting = ${quoted(safe_decode(part))}: expected NAME=VALUE`};
     if (part) settings.set(safe_decode(part.slice(0, at)), safe_decode(part.slice(at + 1)));
   }
   return {settings};

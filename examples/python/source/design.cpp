@@ -26,7 +26,7 @@ struct places {
     const auto check = [&](const rows_of& rows, const char* name) {
       if (!rows.is_one() && rows.size() != q.size())
         refuse_value("number of rows of " + std::string(name) + " = " + std::to_string(rows.size()) +
-                     ", expected " + std::to_string(q.size()) + ", as q has");
+                     ": expected " + std::to_string(q.size()) + ", as q has");
     };
     check(direction, way);
     check(normal, "normal");

@@ -20,13 +20,13 @@ const rt::any_design& mechanism::functions() const {
   if (design) return *design;
   refuse_type("a mechanism of " + std::to_string(sizes().dof) + " joints, " +
               std::to_string(sizes().brake_count) + " brakes and " + std::to_string(sizes().task_dimension) +
-              " task dimensions, expected one of a kind that the package has functions for");
+              " task dimensions: expected one of a kind that the package has functions for");
 }
 
 controller::only_call::only_call(controller& of) : of_(of) {
   if (of.is_called_)
     refuse_value(
-        "the controller is called while a function of its mechanism runs, expected one call at a time: make "
+        "the controller is called while a function of its mechanism runs: expected one call at a time: make "
         "a "
         "controller for each thread, and call none from such a function");
   of.is_called_ = true;
@@ -36,14 +36,14 @@ rt::cycle_record controller::step(const rt::state_view& state) {
   const rt::device_sizes sizes = held_->sizes();
   const auto check = [](const char* name, std::size_t size, int expected) {
     if (std::ssize(std::span<const char>(name, size)) != expected)
-      refuse_value(std::string("length of ") + name + " = " + std::to_string(size) + ", expected " +
+      refuse_value(std::string("length of ") + name + " = " + std::to_string(size) + ": expected " +
                    std::to_string(expected));
   };
   check("q", state.q.size(), sizes.dof);
   check("qd", state.qd.size(), sizes.dof);
   if (!state.hand_force.empty()) check("hand_force", state.hand_force.size(), sizes.task_dimension);
   else if (held_->needs_hand_force())
-    refuse_value("hand_force = None, expected a force [N]: the law needs one; or use a law that needs none");
+    refuse_value("hand_force = None: expected a force [N]: the law needs one; or use a law that needs none");
   only_call alone(*this);
   deferred_error errors;
   const rt::cycle_record record = alone.held()(state);
@@ -159,7 +159,7 @@ void bind_results(py::module_& module) {
       .def("to_bytes", [](const R& r) { return py::bytes(reinterpret_cast<const char*>(&r), sizeof r); })
       .def_static("from_bytes", [](const std::string& content) {
         if (content.size() != sizeof(R))
-          refuse_value("a pickled step_result of another version, expected one of this one");
+          refuse_value("a pickled step_result of another version: expected one of this one");
         R r;
         std::memcpy(static_cast<void*>(&r), content.data(), sizeof r);
         return r;
@@ -199,7 +199,7 @@ void run_batch(const controller& of, py::handle q, py::handle qd, py::handle han
   std::optional<rows_of> forces;
   if (!hand_force.is_none()) forces.emplace(hand_force, "hand_force", sizes.task_dimension);
   else if (of.held().needs_hand_force())
-    refuse_value("hand_force = None, expected an array of forces [N]: the law needs a hand force");
+    refuse_value("hand_force = None: expected an array of forces [N]: the law needs a hand force");
   std::vector<double> times;
   if (!time.is_none()) times = vector_from(time, "time", static_cast<int>(joints.size()));
   std::vector<column> columns;
@@ -269,7 +269,7 @@ py::array brake_rates(const mechanism& m, py::handle q, py::handle qd) {
   const auto [n, d, brakes] = m.sizes();
   const rows_of rows(q, "q", n), rates(qd, "qd", n);
   if (!rates.is_one() && rates.size() != rows.size())
-    refuse_value("number of rows of qd = " + std::to_string(rates.size()) + ", expected " +
+    refuse_value("number of rows of qd = " + std::to_string(rates.size()) + ": expected " +
                  std::to_string(rows.size()) + ", as q has");
   auto all = results_for(rows, {brakes});
   for (py::ssize_t k = 0; k < rows.size(); ++k)
@@ -297,10 +297,10 @@ std::unique_ptr<controller> made_controller(const mechanism& m, const named& bra
   const rt::catalogue& all = example::catalogue();
   const rt::law_entry& entry = *rt::find(all.laws(), law.name);
   if (entry.needs_dynamics && !m.held->has_inertia())
-    refuse_type("law = " + law.name + ", expected another law: it needs the mechanism's inertia");
+    refuse_type("law = " + law.name + ": expected another law: it needs the mechanism's inertia");
   if (!all.is_compiled(*m.held, entry))
     refuse_type("law = " + law.name +
-                ", expected a mechanism of a kind that the package has controllers for");
+                ": expected a mechanism of a kind that the package has controllers for");
   return std::make_unique<controller>(all.make_controller(
       *m.held, entry,
       {brakes_of(brakes), walls.held, law.table, options.table.as<rt::cycle_options>().for_controller()}));

@@ -110,7 +110,7 @@ struct made_caster : type_caster_base<T> {
   bool load(handle from, bool convert) {
     if (isinstance<T>(from) &&
         !reinterpret_cast<instance*>(from.ptr())->get_value_and_holder().holder_constructed())
-      throw type_error("passive_haptics: a value without parameters, expected a call of its __init__");
+      throw type_error("passive_haptics: a value without parameters: expected a call of its __init__");
     return type_caster_base<T>::load(from, convert);
   }
 };

@@ -26,11 +26,11 @@ bool is_number(py::handle x) {
 // A number with a name that only an error needs.
 template <class Name>
 double number_named(py::handle x, const Name& name) {
-  if (!is_number(x)) refuse_type(name() + " = " + shown(x) + ", expected a number");
+  if (!is_number(x)) refuse_type(name() + " = " + shown(x) + ": expected a number");
   const double value = PyFloat_AsDouble(x.ptr());
   if (!PyErr_Occurred()) return value;
   PyErr_Clear();
-  refuse_value(name() + " = " + shown(x) + ", expected a number that a double can hold");
+  refuse_value(name() + " = " + shown(x) + ": expected a number that a double can hold");
 }
 
 // Lists of numbers or of such lists.
@@ -52,11 +52,11 @@ double number_from(py::handle x, const std::string& name) {
 
 int whole_number_from(py::handle x, const std::string& name) {
   if (!is_number(x) || PyFloat_Check(x.ptr()))
-    refuse_type(name + " = " + shown(x) + ", expected a whole number");
+    refuse_type(name + " = " + shown(x) + ": expected a whole number");
   const long value = PyLong_AsLong(py::int_(py::reinterpret_borrow<py::object>(x)).ptr());
   if (PyErr_Occurred()) PyErr_Clear();
   else if (std::in_range<int>(value)) return static_cast<int>(value);
-  refuse_value(name + " = " + shown(x) + ", expected a whole number of ordinary size");
+  refuse_value(name + " = " + shown(x) + ": expected a whole number of ordinary size");
 }
 
 py::array_t<double> array_from(py::handle x, const std::string& name, std::initializer_list<int> axes) {
@@ -65,21 +65,21 @@ py::array_t<double> array_from(py::handle x, const std::string& name, std::initi
     try {
       given = py::module_::import("numpy").attr("array")(x, py::arg("dtype") = "f8");
     } catch (const py::error_already_set&) {
-      refuse_value(name + " = " + shown(x) + ", expected rows of equal length");
+      refuse_value(name + " = " + shown(x) + ": expected rows of equal length");
     }
   }
   if (!py::isinstance<py::array>(given))
-    refuse_type(name + " = " + shown(x) + ", expected a list or an array of numbers");
+    refuse_type(name + " = " + shown(x) + ": expected a list or an array of numbers");
   if (Py_TYPE(given.ptr()) != py::detail::npy_api::get().PyArray_Type_ &&
       !py::type::handle_of(given).is(py::module_::import("numpy").attr("memmap")))
     refuse_type(name + " is a " + Py_TYPE(given.ptr())->tp_name +
-                ", expected a numpy.ndarray: make one of its values, as numpy.array(...) does");
+                ": expected a numpy.ndarray: make one of its values, as numpy.array(...) does");
   const auto array = py::reinterpret_borrow<py::array>(given);
   if (const char kind = array.dtype().kind(); kind != 'f' && kind != 'i' && kind != 'u')
     refuse_type(name + " has dtype " + std::string(py::str(array.dtype())) +
-                ", expected real numbers: " + name + ".astype(float)");
+                ": expected real numbers: " + name + ".astype(float)");
   if (std::ranges::find(axes, int(array.ndim())) == axes.end())
-    refuse_value("shape of " + name + " = " + std::string(py::str(array.attr("shape"))) + ", expected " +
+    refuse_value("shape of " + name + " = " + std::string(py::str(array.attr("shape"))) + ": expected " +
                  std::to_string(*axes.begin()) +
                  (axes.size() > 1      ? " or 2 axes"
                   : *axes.begin() == 1 ? " axis"
@@ -98,7 +98,7 @@ std::vector<double> vector_from(py::handle x, const std::string& name, int size)
     for (py::ssize_t i = 0; i < at.shape(0); ++i) all.push_back(at(i));
   }
   if (size >= 0 && std::ssize(all) != size)
-    refuse_value("length of " + name + " = " + std::to_string(all.size()) + ", expected " +
+    refuse_value("length of " + name + " = " + std::to_string(all.size()) + ": expected " +
                  std::to_string(size));
   return all;
 }
@@ -108,8 +108,8 @@ rows_of::rows_of(py::handle x, const std::string& name, int width)
   const py::ssize_t found = array_.shape(array_.ndim() - 1);
   if (found == width) return;
   if (is_one_)
-    refuse_value("length of " + name + " = " + std::to_string(found) + ", expected " + std::to_string(width));
-  refuse_value("shape of " + name + " = " + std::string(py::str(array_.attr("shape"))) + ", expected (N, " +
+    refuse_value("length of " + name + " = " + std::to_string(found) + ": expected " + std::to_string(width));
+  refuse_value("shape of " + name + " = " + std::string(py::str(array_.attr("shape"))) + ": expected (N, " +
                std::to_string(width) + ")");
 }
 

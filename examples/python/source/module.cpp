@@ -47,7 +47,7 @@ py::tuple chain_from_urdf(const std::string& path, const std::string& base, cons
   const rt::urdf_reader& reader = example::catalogue().urdf_reader();
   if (!reader)
     throw std::runtime_error(
-        "passive_haptics: chain_from_urdf, expected a package that is built with urdfdom; install Debian's "
+        "passive_haptics: chain_from_urdf: expected a package that is built with urdfdom; install Debian's "
         "liburdfdom-dev, then build the package with PASSIVE_HAPTICS_URDF=ON in the environment");
   const rt::urdf_mechanism made = reader({path, base, tip, {tool[0], tool[1], tool[2]}, balanced}, "");
   return py::make_tuple(to_dict(made.parameters), made.remarks);

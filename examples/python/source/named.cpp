@@ -46,7 +46,7 @@ rt::any_parameters defaults_of(const std::string& list, const std::string& name,
   else if (name == "wall_following_parameters") return rt::any_parameters(ph::wall_following_parameters());
   else if (name == "controller") return rt::any_parameters(rt::cycle_options());
   if (found != nullptr) return *found;
-  refuse_value(list + " = '" + name + "', expected a name of the catalogue of this dimension");
+  refuse_value(list + " = '" + name + "': expected a name of the catalogue of this dimension");
 }
 
 std::vector<std::string> names_of(const rt::field_list& fields) {
@@ -72,7 +72,7 @@ void assign_numbers(const field& f, py::handle x, const std::string& name, bool 
   } else {
     const py::array_t<double> rows = array_from(x, name, {2});
     if (rows.shape(0) != f.rows || rows.shape(1) != f.columns)
-      refuse_value("shape of " + name + " = " + std::string(py::str(rows.attr("shape"))) + ", expected (" +
+      refuse_value("shape of " + name + " = " + std::string(py::str(rows.attr("shape"))) + ": expected (" +
                    std::to_string(f.rows) + ", " + std::to_string(f.columns) + ")");
     const auto at = rows.unchecked<2>();
     for (int i = 0; i < f.rows; ++i)
@@ -86,20 +86,20 @@ void assign(const field& f, py::handle x, const std::string& name, bool broadcas
     case kind::whole: {
       if (f.rows > 1) refuse_type(name + " is a list of whole numbers, which is in C++ only");
       if (!f.set(f.at, whole_number_from(x, name)))
-        refuse_value(name + " = " + shown(x) + ", expected a whole number >= 0");
+        refuse_value(name + " = " + shown(x) + ": expected a whole number >= 0");
       return;
     }
     case kind::truth:
-      if (!PyBool_Check(x.ptr())) refuse_type(name + " = " + shown(x) + ", expected True or False");
+      if (!PyBool_Check(x.ptr())) refuse_type(name + " = " + shown(x) + ": expected True or False");
       f.set(f.at, x.ptr() == Py_True);
       return;
     case kind::text:
-      if (!PyUnicode_Check(x.ptr())) refuse_type(name + " = " + shown(x) + ", expected a text");
+      if (!PyUnicode_Check(x.ptr())) refuse_type(name + " = " + shown(x) + ": expected a text");
       f.text() = py::cast<std::string>(x);
       return;
     case kind::choice: {
       const auto words = ph::choices_of(f.about);
-      const std::string expected = ", expected '" + joined({words.begin(), words.end()}, "' or '") + "'";
+      const std::string expected = ": expected '" + joined({words.begin(), words.end()}, "' or '") + "'";
       if (!PyUnicode_Check(x.ptr())) refuse_type(name + " = " + shown(x) + expected);
       const auto found = std::ranges::find(words, py::cast<std::string>(x));
       if (found == words.end()) refuse_value(name + " = " + shown(x) + expected);
@@ -110,7 +110,7 @@ void assign(const field& f, py::handle x, const std::string& name, bool broadcas
       const py::array_t<double> rows = array_from(x, name, {2});
       if (rows.shape(1) != f.rows)
         refuse_value("shape of " + name + " = " + std::string(py::str(rows.attr("shape"))) +
-                     ", expected (N, " + std::to_string(f.rows) + ")");
+                     ": expected (N, " + std::to_string(f.rows) + ")");
       const auto at = rows.unchecked<2>();
       double* to = f.resize(f.at, static_cast<std::size_t>(rows.shape(0)));
       for (py::ssize_t i = 0; i < rows.shape(0); ++i)
@@ -119,18 +119,18 @@ void assign(const field& f, py::handle x, const std::string& name, bool broadcas
     }
     case kind::tables: {
       if (!PyList_Check(x.ptr()) && !PyTuple_Check(x.ptr()))
-        refuse_type(name + " = " + shown(x) + ", expected a list of dicts");
+        refuse_type(name + " = " + shown(x) + ": expected a list of dicts");
       const auto list = py::reinterpret_borrow<py::sequence>(x);
       const std::vector<rt::field_list> tables =
           f.resize_tables == nullptr ? f.tables : f.resize_tables(f.at, list.size());
       if (list.size() != tables.size())
-        refuse_value("length of " + name + " = " + std::to_string(list.size()) + ", expected " +
+        refuse_value("length of " + name + " = " + std::to_string(list.size()) + ": expected " +
                      std::to_string(tables.size()));
       for (std::size_t i = 0; i < tables.size(); ++i) {
         const std::string place = name + "[" + std::to_string(i) + "]";
         const py::object one = list[i];
         if (!PyDict_Check(one.ptr()))
-          refuse_type(place + " = " + shown(one) + ", expected a dict of " + joined(names_of(tables[i])));
+          refuse_type(place + " = " + shown(one) + ": expected a dict of " + joined(names_of(tables[i])));
         assign_all(tables[i], one, place, place + ".", broadcasts);
       }
     }
@@ -142,7 +142,7 @@ void assign_all(const rt::field_list& fields, const py::dict& given, const std::
   const auto names = names_of(fields);
   for (const auto& [key, value] : given)
     if (const std::string called = py::str(key); std::ranges::find(names, called) == names.end())
-      refuse_type(owner + " has no parameter '" + called + "', expected " +
+      refuse_type(owner + " has no parameter '" + called + "': expected " +
                   (names.empty() ? "none" : joined(names)) + rt::did_you_mean(called, names));
   for (const field& f : fields)
     if (const std::string name = name_of(f); given.contains(name.c_str()))

@@ -30,7 +30,7 @@ template <int R, int C>
 ph::matrix<double, R, C> matrix_of(py::handle x, const std::string& name) {
   const py::array_t<double> rows = array_from(x, name, {2});
   if (rows.shape(0) != R || rows.shape(1) != C)
-    refuse_value("shape of " + name + " = " + std::string(py::str(rows.attr("shape"))) + ", expected (" +
+    refuse_value("shape of " + name + " = " + std::string(py::str(rows.attr("shape"))) + ": expected (" +
                  std::to_string(R) + ", " + std::to_string(C) + ")");
   const auto at = rows.unchecked<2>();
   ph::matrix<double, R, C> m;
@@ -119,7 +119,7 @@ class python_functions {
       const double size = std::max(expected.col(j).cwiseAbs().maxCoeff(), 0.01 * largest);
       for (int i = 0; i < D; ++i)
         if (!(std::abs(J(i, j) - expected(i, j)) <= tolerance * size))
-          refuse_value(entry("jacobian(q)", i, j, J(i, j)) + ", expected " + shown_number(expected(i, j)) +
+          refuse_value(entry("jacobian(q)", i, j, J(i, j)) + ": expected " + shown_number(expected(i, j)) +
                        ", the slope of position(q)[" + std::to_string(i) + "] over q[" + std::to_string(j) +
                        "] at q = " + std::string(py::str(array(q))) +
                        "; correct the function (a transposed matrix?), or pass check=False");
@@ -183,7 +183,7 @@ mechanism made(int n, int d, const py::object& position, const py::object& jacob
   if (n == 7 && d == 3) return mechanism(mechanism_of<7, 3>(of));
   refuse_value(
       "dof = " + std::to_string(n) + " and task_dimension = " + std::to_string(d) +
-      ", expected 2 and 2, 3 and 2, 4 and 2, 3 and 3, 6 and 3, or 7 and 3; add a mechanism of another size "
+      ": expected 2 and 2, 3 and 2, 4 and 2, 3 and 3, 6 and 3, or 7 and 3; add a mechanism of another size "
       "in C++, with add_mechanism");
 }
 

@@ -90,7 +90,7 @@ mesh mesh_of_arrays(const py::array_t<double>& vertices, const py::array_t<doubl
   const auto points = vertices.unchecked<2>();
   const auto corners = facets.unchecked<2>();
   if (corners.shape(1) != D)
-    refuse_value("shape of facets = " + std::string(py::str(facets.attr("shape"))) + ", expected (M, " +
+    refuse_value("shape of facets = " + std::string(py::str(facets.attr("shape"))) + ": expected (M, " +
                  std::to_string(D) + "), " +
                  (D == 2 ? "the two ends of each segment" : "the three corners of each triangle"));
   ph::mesh_parameters<D> p;
@@ -104,7 +104,7 @@ mesh mesh_of_arrays(const py::array_t<double>& vertices, const py::array_t<doubl
       if (!(index >= 0 && index < double(p.vertices.size()) && index == std::floor(index)))
         refuse_value("facet " + std::to_string(i) +
                      " of a mesh: index of a vertex = " + std::string(py::str(py::float_(index))) +
-                     ", expected a whole number of 0 or more and less than " +
+                     ": expected a whole number of 0 or more and less than " +
                      std::to_string(p.vertices.size()));
       p.facets[i][static_cast<std::size_t>(k)] = static_cast<int>(index);
     }
@@ -116,7 +116,7 @@ mesh mesh_from(py::handle vertices, py::handle facets) {
   if (points.shape(1) == 2) return mesh_of_arrays<2>(points, corners);
   if (points.shape(1) == 3) return mesh_of_arrays<3>(points, corners);
   refuse_value("shape of vertices = " + std::string(py::str(points.attr("shape"))) +
-               ", expected (N, 2) or (N, 3)");
+               ": expected (N, 2) or (N, 3)");
 }
 
 template <class T, class Rows>
@@ -237,7 +237,7 @@ scene beside(const rt::any_scene<D>& walls, const std::vector<effect>& effects) 
     }();
     if (!one)
       refuse_value("effect " + std::to_string(all.size()) + " of the scene has vectors of " +
-                   std::to_string(5 - D) + " numbers, expected " + std::to_string(D) + ", as its walls have");
+                   std::to_string(5 - D) + " numbers: expected " + std::to_string(D) + ", as its walls have");
     all.push_back(*one);
   }
   return {rt::any_scene_with_effects<D>(walls, all)};

@@ -45,7 +45,7 @@ struct scene {
     if (const auto* plane = std::get_if<rt::any_scene<2>>(&held)) return f(*plane);
     if (const auto* space = std::get_if<rt::any_scene<3>>(&held)) return f(*space);
     refuse_type(
-        "scene has effects, expected one without: with_effects(held_scene(...), effect, ...) with all "
+        "scene has effects: expected one without: with_effects(held_scene(...), effect, ...) with all "
         "effects");
   }
 };

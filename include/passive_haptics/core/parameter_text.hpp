@@ -100,7 +100,7 @@ void for_each_value(const P& p, F f) {
 }  // namespace detail
 
 /// Calls f(member, text) for each value outside plausible_magnitude(), with a text such as "largest[0] [A] =
-/// 1e9, expected at most 1000". Skips 0 and infinities within the member's range. Users may confirm them.
+/// 1e9: expected at most 1000". Skips 0 and infinities within the member's range. Users may confirm them.
 template <Parameters P, class F>
 void for_each_suspicious(const P& p, F&& f) {
   detail::for_each_value(

@@ -239,7 +239,7 @@ bool is_in_range(const P& p) {
   return check.valid;
 }
 
-/// Returns the first error, "length_1 [m] = -1, expected a finite number > 0", or an empty one.
+/// Returns the first error, "length_1 [m] = -1: expected a finite number > 0", or an empty one.
 template <Parameters P>
 error_message validate(const P& p) {
   detail::checker check;

@@ -53,7 +53,7 @@ std::string value_text(const T& value) {
 template <class T>
 error_message error_text(std::string_view name, T value, std::string_view expected) {
   return error_of("a parameter", [&] {
-    return std::string(name).append(" = ").append(value_text(value)).append(", expected ").append(expected);
+    return std::string(name).append(" = ").append(value_text(value)).append(": expected ").append(expected);
   });
 }
 

@@ -61,7 +61,7 @@ class safe_port {
     std::string error = port_.open();
     if (error.empty() && !release_.is_at_once() && !(watchdog(port_) > 0))
       error =
-          "at_release.policy, expected zero: a device without a watchdog keeps its currents; set zero, or "
+          "at_release.policy: expected zero: a device without a watchdog keeps its currents; set zero, or "
           "use a device with a watchdog";
     if (error.empty()) error = sensor_.open();
     encoders_.set_counter_bits(counter_bits(port_));

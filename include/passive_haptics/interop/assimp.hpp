@@ -24,7 +24,7 @@ namespace detail {
 inline std::string add_part(const aiMesh& part, const aiMatrix4x4t<double>& placed, polygons& to) {
   const bool mirrored = placed.Determinant() < 0;
   const std::size_t first = to.vertices.size();
-  if (part.mNumVertices > polygons::max_count - first) return "more than 2^31 - 1 vertices, expected fewer";
+  if (part.mNumVertices > polygons::max_count - first) return "more than 2^31 - 1 vertices: expected fewer";
   if (part.mVertices == nullptr && part.mNumVertices > 0)
     return "vertices without places; the file is damaged";
   for (unsigned v = 0; v < part.mNumVertices; ++v) {

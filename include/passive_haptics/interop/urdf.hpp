@@ -135,7 +135,7 @@ inline urdf::ModelInterfaceSharedPtr parse_urdf(const std::filesystem::path& fil
   if (const std::string error = read_file(file, xml, max_size); !error.empty()) fail_urdf(name, error);
   const std::string text = without_comments(xml);
   if (text.find("<xacro:") != text.npos || text.find("${") != text.npos)
-    fail_urdf(name, "contains macros of xacro, expected a URDF; run `xacro FILE > robot.urdf` first");
+    fail_urdf(name, "contains macros of xacro: expected a URDF; run `xacro FILE > robot.urdf` first");
   if (const int depth = max_depth(text); depth > max_nesting)
     fail_urdf(name, error_text("nested elements", depth, "at most " + std::to_string(max_nesting)));
   urdf_errors errors;
@@ -158,12 +158,12 @@ inline void require_tree(const urdf::ModelInterface& model, const std::string& n
     const auto [found, is_new] = joint_of.emplace(joint->child_link_name, joint_name);
     if (!is_new)
       fail_urdf(name, "link '" + found->first + "' is the child of joints '" + found->second + "' and '" +
-                          joint_name + "', expected one parent: closed loops are no serial chain");
+                          joint_name + "': expected one parent: closed loops are no serial chain");
   }
   const std::string last = tip->name;
   for (std::size_t i = 0; i <= model.links_.size(); ++i, tip = tip->getParent())
     if (!tip) return;
-  fail_urdf(name, "the joints before link '" + last + "' form a loop, expected a tree of links");
+  fail_urdf(name, "the joints before link '" + last + "' form a loop: expected a tree of links");
 }
 
 inline urdf::LinkConstSharedPtr urdf_link(const urdf::ModelInterface& model, const std::string& name,
@@ -174,7 +174,7 @@ inline urdf::LinkConstSharedPtr urdf_link(const urdf::ModelInterface& model, con
   for (const auto& one : model.links_)
     names.append(names.empty() ? "'" : ", '").append(one.first).append("'");
   if (names.size() > max_size) names.replace(max_size, names.npos, "...");
-  fail_urdf(name, std::string(argument) + " = '" + link + "', expected one of its links: " + names);
+  fail_urdf(name, std::string(argument) + " = '" + link + "': expected one of its links: " + names);
 }
 
 /// The links from behind `base` to `tip`.
@@ -194,7 +194,7 @@ inline std::vector<urdf::LinkConstSharedPtr> urdf_path(const urdf::ModelInterfac
     if (link != to) before.append(before.empty() ? "'" : ", '").append(link->name).append("'");
     links.push_back(link);
   }
-  fail_urdf(name, "base_link = '" + base + "', expected a link before tip_link = '" + tip +
+  fail_urdf(name, "base_link = '" + base + "': expected a link before tip_link = '" + tip +
                       "': " + (before.empty() ? "it has none" : before));
 }
 
@@ -213,12 +213,12 @@ inline joint_kind urdf_joint_kind(const urdf::Joint& joint, const std::string& n
   const std::string about = "joint '" + joint.name + "': ";
   if (joint.mimic)
     fail_urdf(name, about + "mimics joint '" + joint.mimic->joint_name +
-                        "', expected a joint that moves by itself; end the chain before it or make it fixed");
+                        "': expected a joint that moves by itself; end the chain before it or make it fixed");
   if (joint.type == urdf::Joint::PRISMATIC) return joint_kind::prismatic;
   if (joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS)
     return joint_kind::revolute;
   fail_urdf(name, about + "type = " + (joint.type == urdf::Joint::FLOATING ? "floating" : "planar") +
-                      ", expected revolute, continuous, prismatic or fixed");
+                      ": expected revolute, continuous, prismatic or fixed");
 }
 
 /// About the centre of mass, in the axes of the inertial element.
@@ -230,7 +230,7 @@ inline matrix<double, 3, 3> urdf_moments(const urdf::Link& link, urdf_chain& to,
   if (!range::not_negative.contains(i.mass))
     fail_urdf(to.name, at + error_text("mass [kg]", i.mass, to_text(range::not_negative)));
   if (!about.allFinite() || !vector_of(i.origin.position).allFinite())
-    fail_urdf(to.name, at + "its inertial element is not finite, expected finite numbers");
+    fail_urdf(to.name, at + "its inertial element is not finite: expected finite numbers");
   if (check_inertia<double>("", about).empty()) return about;
   // int r r^T dm, whose principal values are half the excess of two principal moments over the third
   const matrix<double, 3, 3> unit = matrix<double, 3, 3>::Identity();
@@ -323,7 +323,7 @@ inline urdf_chain read_urdf(const std::filesystem::path& file, const std::string
     frame = frame * detail::frame_of(joint.parent_to_joint_origin_transform);
     if (!frame.matrix().allFinite())
       detail::fail_urdf(chain.name,
-                        "joint '" + joint.name + "': its origin is not finite, expected finite numbers");
+                        "joint '" + joint.name + "': its origin is not finite: expected finite numbers");
     if (joint.type == urdf::Joint::FIXED) continue;  // part of the body before
     detail::add_urdf_joint(chain, joint, frame);
     const auto next = std::find_if(links.begin() + std::ptrdiff_t(i) + 1, links.end(), [](const auto& one) {
@@ -335,7 +335,7 @@ inline urdf_chain read_urdf(const std::filesystem::path& file, const std::string
     if (!(one.link.mass > 0))
       detail::fail_urdf(chain.name,
                         "joint '" + one.name +
-                            "': no mass moves with it before the next joint, expected a mass > 0; "
+                            "': no mass moves with it before the next joint: expected a mass > 0; "
                             "give its child link an inertial element");
   chain.handle = frame * options.tool;
   return chain;
@@ -359,7 +359,7 @@ inline urdf_plane plane_of(const urdf_chain& chain) {
   else if (chain.joints.size() > 1)
     normal = cross(chain.joints[0].joint.axis, chain.joints[1].joint.axis).normalized();
   if (normal.isZero())
-    plane.error = "its joints slide along one line, expected a chain that moves in a plane";
+    plane.error = "its joints slide along one line: expected a chain that moves in a plane";
   for (const urdf_joint& one : chain.joints) {
     const vector<double, 3> axis = one.joint.axis.normalized();
     const double along = axis.dot(normal), off = turns(one) ? (axis - normal).norm() : std::abs(along);
@@ -368,10 +368,10 @@ inline urdf_plane plane_of(const urdf_chain& chain) {
     if (turns(one) && (axis + normal).norm() <= tolerance)
       plane.error +=
           "is opposite to that of joint '" + first->name +
-          "', expected the same direction; turn it in the file, which changes the sign of its position";
+          "': expected the same direction; turn it in the file, which changes the sign of its position";
     else
       plane.error +=
-          "leaves the plane of the joints before, expected a chain that moves in one plane; take three "
+          "leaves the plane of the joints before: expected a chain that moves in one plane; take three "
           "dimensions";
   }
   if (!plane.error.empty()) return plane;
@@ -391,7 +391,7 @@ serial_chain_with_inertia<double, N, D> chain_of(const urdf_chain& chain) {
     std::string names;
     for (const urdf_joint& one : chain.joints) names.append(names.empty() ? "" : ", ").append(one.name);
     detail::fail_urdf(chain.name, "moving joints = " + std::to_string(chain.joints.size()) + " (" + names +
-                                      "), expected " + std::to_string(N) + "; write chain_from_urdf<" +
+                                      "): expected " + std::to_string(N) + "; write chain_from_urdf<" +
                                       std::to_string(chain.joints.size()) + "> or choose other links");
   }
   matrix<double, D, 3> to;  // from the base link's axes

@@ -131,7 +131,7 @@ class controller_of final : public any_controller {
     require_count("brakes", std::ssize(brakes.torque_limit), m);
     if (Settles<M> && !brakes.has_no_bounds())
       throw std::invalid_argument(
-          "passive_haptics: brakes have a torque_lower or torque_upper, expected none: a controller of a "
+          "passive_haptics: brakes have a torque_lower or torque_upper: expected none: a controller of a "
           "mechanism with more joints than task dimensions supports such brakes only in C++");
     return brakes.as<controller_brakes<M>>();
   }
@@ -149,10 +149,10 @@ std::unique_ptr<any_controller> make_controller(const M& mechanism, const contro
     if constexpr (takes_effects<M, L>)
       return std::make_unique<controller_of<M, L, any_scene_with_effects<d>>>(mechanism, *beside, parts);
     throw std::invalid_argument(
-        "passive_haptics: scene with effects, expected one without: they need direct_control, and "
+        "passive_haptics: scene with effects: expected one without: they need direct_control, and "
         "a mechanism with as many joints and brakes as task dimensions");
   }
-  throw std::invalid_argument("passive_haptics: scene, expected one of dimension " + std::to_string(d) +
+  throw std::invalid_argument("passive_haptics: scene: expected one of dimension " + std::to_string(d) +
                               ", the task dimension of the mechanism");
 }
 

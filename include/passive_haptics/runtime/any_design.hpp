@@ -195,7 +195,7 @@ class design_of final : public any_design {
     const auto* wall = std::get_if<any_shape<d>>(&shape);
     if (wall == nullptr)
       throw std::invalid_argument(
-          "passive_haptics: shape of another dimension than the device, expected one of " +
+          "passive_haptics: shape of another dimension than the device: expected one of " +
           std::to_string(d));
     if constexpr (Dynamics<M>) {
       const auto decide = [&](const device_state<M>& s) {

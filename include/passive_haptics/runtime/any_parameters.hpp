@@ -166,7 +166,7 @@ class any_parameters {
     const void* found = held_->as(typeid(P));
     if (found == nullptr)
       throw std::logic_error(
-          "passive_haptics: the parameters have a different type, expected that of as<P>()");
+          "passive_haptics: the parameters have a different type: expected that of as<P>()");
     return *static_cast<const P*>(found);
   }
 

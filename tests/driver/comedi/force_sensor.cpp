@@ -56,13 +56,13 @@ TEST_F(comedi_force_sensor, does_not_trust_a_channel_at_either_end_of_its_range)
 // port_opens.cpp has all that can be wrong with a subdevice, a channel and a range.
 TEST_F(comedi_force_sensor, names_what_does_not_fit) {
   p.subdevice = 1;
-  expect_error("subdevice = 1, expected a subdevice of /dev/comedi0 that is an analog input, as 0 is");
+  expect_error("subdevice = 1: expected a subdevice of /dev/comedi0 that is an analog input, as 0 is");
   p.subdevice = -1;
   p.channels[2] = 8;
-  expect_error("channels[2] = 8, expected less than 8, the number of channels of subdevice 0");
+  expect_error("channels[2] = 8: expected less than 8, the number of channels of subdevice 0");
   p.channels[2] = 2;
   p.reference = example::comedi_reference::differential;
-  expect_error("reference: not of this card, expected one of ground");
+  expect_error("reference: not of this card: expected one of ground");
 }
 
 TEST_F(comedi_force_sensor, measures_against_the_reference_that_it_was_given) {

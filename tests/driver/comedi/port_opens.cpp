@@ -17,23 +17,23 @@ TEST_F(opening_a_comedi_port, names_what_is_wrong_with_its_parameters) {
     EXPECT_EQ(validate(wrong), text);
     EXPECT_EQ(port(wrong).open(), text) << "open() says the same";
   };
-  expect([](auto& w) { w.device = ""; }, "device is empty, expected a file like /dev/comedi0");
-  expect([](auto& w) { w.output_subdevice = -2; }, "output_subdevice = -2, expected an index, or -1");
-  expect([](auto& w) { w.brakes[1].channel = -1; }, "brakes[1].channel = -1, expected an index >= 0");
+  expect([](auto& w) { w.device = ""; }, "device is empty: expected a file like /dev/comedi0");
+  expect([](auto& w) { w.output_subdevice = -2; }, "output_subdevice = -2: expected an index, or -1");
+  expect([](auto& w) { w.brakes[1].channel = -1; }, "brakes[1].channel = -1: expected an index >= 0");
   expect([](auto& w) { w.brakes[1].channel = 0; },
-         "brakes[1].channel = 0, expected a channel other than that of [0]");
-  expect([](auto& w) { w.brakes[0].range = -1; }, "brakes[0].range = -1, expected an index >= 0");
+         "brakes[1].channel = 0: expected a channel other than that of [0]");
+  expect([](auto& w) { w.brakes[0].range = -1; }, "brakes[0].range = -1: expected an index >= 0");
   expect([](auto& w) { w.brakes[0] = {}; },
-         "brakes[0].amperes_per_volt [A/V] = 0, expected a finite number > 0, the amplifier's gain");
+         "brakes[0].amperes_per_volt [A/V] = 0: expected a finite number > 0, the amplifier's gain");
   expect([](auto& w) { w.encoders[1].subdevice = 2; },
-         "encoders[1].channel = 0, expected a channel other than that of [0]");
-  expect([](auto& w) { w.encoders[0].a = -2; }, "encoders[0].a = -2, expected an index, or -1");
+         "encoders[1].channel = 0: expected a channel other than that of [0]");
+  expect([](auto& w) { w.encoders[0].a = -2; }, "encoders[0].a = -2: expected an index, or -1");
 }
 
 TEST_F(opening_a_comedi_port, names_the_device_that_it_cannot_open_and_what_to_do) {
   p.device = "/dev/comedi7";
   expect_error(
-      "device = /dev/comedi7 does not exist, expected the file of a Comedi card: load the card's driver");
+      "device = /dev/comedi7 does not exist: expected the file of a Comedi card: load the card's driver");
   const auto expect = [&](int error, const std::string& text) {
     plugged.open_error = error;
     expect_error("device = /dev/comedi7" + text);
@@ -47,12 +47,12 @@ TEST_F(opening_a_comedi_port, names_the_device_that_it_cannot_open_and_what_to_d
 TEST_F(opening_a_comedi_port, names_a_subdevice_of_the_wrong_type) {
   p.output_subdevice = 0;
   expect_error(
-      "output_subdevice = 0, expected a subdevice of /dev/comedi0 that is an analog output, as 1 is");
+      "output_subdevice = 0: expected a subdevice of /dev/comedi0 that is an analog output, as 1 is");
   p.output_subdevice = 4;
-  expect_error("output_subdevice = 4, expected 0 to 3, as many as /dev/comedi0 (double) has");
+  expect_error("output_subdevice = 4: expected 0 to 3, as many as /dev/comedi0 (double) has");
   p.output_subdevice = 1;
   p.encoders[1].subdevice = 1;
-  expect_error("encoders[1].subdevice = 1, expected a subdevice of /dev/comedi0 that is a counter, as 2 is");
+  expect_error("encoders[1].subdevice = 1: expected a subdevice of /dev/comedi0 that is a counter, as 2 is");
   plugged.subdevices.pop_back();
   plugged.subdevices.pop_back();
   expect_error(
@@ -62,35 +62,35 @@ TEST_F(opening_a_comedi_port, names_a_subdevice_of_the_wrong_type) {
 
 TEST_F(opening_a_comedi_port, names_a_channel_that_the_card_lacks) {
   p.brakes[1].channel = 2;
-  expect_error("brakes[1].channel = 2, expected less than 2, the number of channels of subdevice 1");
+  expect_error("brakes[1].channel = 2: expected less than 2, the number of channels of subdevice 1");
   p.brakes[1].channel = 1;
   p.encoders[0].channel = 5;
-  expect_error("encoders[0].channel = 5, expected less than 3, the number of channels of subdevice 2");
+  expect_error("encoders[0].channel = 5: expected less than 3, the number of channels of subdevice 2");
 }
 
 TEST_F(opening_a_comedi_port, names_a_range_that_does_not_fit_and_those_that_there_are) {
   p.brakes[0].range = 4;
   expect_error(
-      "brakes[0].range = 4, expected a range in volts: subdevice 1, channel 0 has: 0 (-10 to 10 V), "
+      "brakes[0].range = 4: expected a range in volts: subdevice 1, channel 0 has: 0 (-10 to 10 V), "
       "1 (0 to 5 V), 2 (1 to 5 V), 3 (0 to 20 mA)");
   p.brakes[0].range = 3;
-  expect_error("brakes[0].range = 3, expected a range in volts");
+  expect_error("brakes[0].range = 3: expected a range in volts");
   p.brakes[0].range = 2;
-  expect_error("brakes[0].range = 2 (1 to 5 V), expected one from 0 V, for a free brake, upwards");
+  expect_error("brakes[0].range = 2 (1 to 5 V): expected one from 0 V, for a free brake, upwards");
   p.brakes[0].range = 1;
   p.brakes[0].max_current = 3;
-  expect_error("brakes[0].max_current [A] = 3 needs 6 V, expected at most 5 V: lower it, or choose another");
+  expect_error("brakes[0].max_current [A] = 3 needs 6 V: expected at most 5 V: lower it, or choose another");
   p.brakes[0].range = 0;
   EXPECT_EQ(port(p).open(), "");
 }
 
 TEST_F(opening_a_comedi_port, names_a_largest_sample_that_makes_no_sense) {
   plugged.subdevices[3].max_sample = 0xffff;
-  expect_error("encoders[1].channel = 0 counts to 65535, expected 2^n - 1, the same for all encoders");
+  expect_error("encoders[1].channel = 0 counts to 65535: expected 2^n - 1, the same for all encoders");
   plugged.subdevices[2].max_sample = plugged.subdevices[3].max_sample = 999;
-  expect_error("encoders[0].channel = 0 counts to 999, expected 2^n - 1");
+  expect_error("encoders[0].channel = 0 counts to 999: expected 2^n - 1");
   plugged.subdevices[1].max_sample = 0;
-  expect_error("brakes[0].channel = 0: subdevice 1 reports no maximum sample (maxdata), expected at least 1");
+  expect_error("brakes[0].channel = 0: subdevice 1 reports no maximum sample (maxdata): expected at least 1");
 }
 
 TEST_F(opening_a_comedi_port, frees_brakes_that_an_earlier_program_left_on) {

@@ -69,65 +69,65 @@ TEST_F(a_configuration, of_another_mechanism_or_without_a_file_is_right) {
 
 TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expectation) {
   expect_named({
-      {"laws = \"x\"", "1: unknown key 'laws', expected one of allow_large, brakes, "},
-      {"[brakes]\ncurrent_limt = 1", "2: unknown key 'brakes.current_limt', expected one of "},
-      {"[sensor]\ntype = \"none\"\nmounting = 1", "3: unknown key 'sensor.mounting', expected one of type"},
-      {"mechanism = 3", "1: mechanism = 3, expected a table, [mechanism]"},
-      {"[walls]\nsurface_point = [0, 1]", "1: walls = a table, expected tables, [[walls]] each"},
-      {"log = 3", "1: log = 3, expected a text in quotes"},
+      {"laws = \"x\"", "1: unknown key 'laws': expected one of allow_large, brakes, "},
+      {"[brakes]\ncurrent_limt = 1", "2: unknown key 'brakes.current_limt': expected one of "},
+      {"[sensor]\ntype = \"none\"\nmounting = 1", "3: unknown key 'sensor.mounting': expected one of type"},
+      {"mechanism = 3", "1: mechanism = 3: expected a table, [mechanism]"},
+      {"[walls]\nsurface_point = [0, 1]", "1: walls = a table: expected tables, [[walls]] each"},
+      {"log = 3", "1: log = 3: expected a text in quotes"},
       {"[brakes]\ncurrent_limit = \"1\"",
-       "2: brakes.current_limit = '1', expected 2 numbers, or one for all"},
+       "2: brakes.current_limit = '1': expected 2 numbers, or one for all"},
       {"[brakes]\ncurrent_limit = [1, 1, 1]",
-       "2: brakes.current_limit = [ 1, 1, 1 ], expected 2 numbers, or one"},
-      {"[homing]\npose = [1.5, -1.5, []]", "2: homing.pose = [ 1.5, -1.5, [] ], expected 2 numbers"},
+       "2: brakes.current_limit = [ 1, 1, 1 ]: expected 2 numbers, or one"},
+      {"[homing]\npose = [1.5, -1.5, []]", "2: homing.pose = [ 1.5, -1.5, [] ]: expected 2 numbers"},
       {"[brakes]\ncurrent_limit = -1",
-       "2: [brakes] brakes[0].current_limit [A] = -1, expected a finite number > 0"},
+       "2: [brakes] brakes[0].current_limit [A] = -1: expected a finite number > 0"},
       {"[brakes]\ncontinuous_current = inf",
-       "1: [brakes] continuous[0] [A] = inf, expected a finite number > 0"},
+       "1: [brakes] continuous[0] [A] = inf: expected a finite number > 0"},
       {"[brakes]\ntorque_lower = [-inf, 0.5]",
-       "2: [brakes] torque_lower[1] [N m] = 0.5, expected a number <= 0, or -inf"},
+       "2: [brakes] torque_lower[1] [N m] = 0.5: expected a number <= 0, or -inf"},
       {"[brakes]\ntable_1 = [[0, 0], [1]]",
-       "2: brakes.table_1 = [ [ 0, 0 ], [ 1 ] ], expected pairs of numbers"},
-      {"[encoders]\nwindow = 0.5", "2: encoders.window = 0.5, expected a whole number"},
-      {"[encoders]\nslides = 1", "2: encoders.slides = 1, expected 2 times true or false, or one for all"},
-      {"[loop]\nlock_memory = 1", "2: loop.lock_memory = 1, expected true or false"},
+       "2: brakes.table_1 = [ [ 0, 0 ], [ 1 ] ]: expected pairs of numbers"},
+      {"[encoders]\nwindow = 0.5", "2: encoders.window = 0.5: expected a whole number"},
+      {"[encoders]\nslides = 1", "2: encoders.slides = 1: expected 2 times true or false, or one for all"},
+      {"[loop]\nlock_memory = 1", "2: loop.lock_memory = 1: expected true or false"},
       {"[mechanism]\nlength_1 = \"x\"",
-       "2: mechanism.length_1 = 'x', expected a number: a finite number > 0 [m]"},
+       "2: mechanism.length_1 = 'x': expected a number: a finite number > 0 [m]"},
       {"[mechanism]\ntype = \"five_bar\"\nassembly = \"up\"",
-       "3: mechanism.assembly = 'up', expected one of \"left\", \"right\""},
-      {"[loop]\nperiod = 0", "2: [loop] period [s] = 0, expected 1e-6 to 1"},
+       "3: mechanism.assembly = 'up': expected one of \"left\", \"right\""},
+      {"[loop]\nperiod = 0", "2: [loop] period [s] = 0: expected 1e-6 to 1"},
       {"[safety]\nat_release = \"off\"",
-       "2: safety.at_release = 'off', expected one of \"zero\", \"ramp\", \"hold\""},
+       "2: safety.at_release = 'off': expected one of \"zero\", \"ramp\", \"hold\""},
       {"[safety]\nsupervisor_timeout = 0.001",
-       "1: [safety] timeout of the supervisor [s] = 0.001, expected 0.004"},
-      {"[simulation]\ndirection = [nan, 1]", "2: [simulation] |direction| = nan, expected a direction"},
-      {"[sensor]\nlink = [1, inf]", "2: [sensor] link[1] [1] = inf, expected a finite number"},
+       "1: [safety] timeout of the supervisor [s] = 0.001: expected 0.004"},
+      {"[simulation]\ndirection = [nan, 1]", "2: [simulation] |direction| = nan: expected a direction"},
+      {"[sensor]\nlink = [1, inf]", "2: [sensor] link[1] [1] = inf: expected a finite number"},
       {"[sensor]\nmounting = -90",
-       "2: [sensor] mounting [rad] = -90, expected at most 6.28319; this looks like degrees: in radians "
+       "2: [sensor] mounting [rad] = -90: expected at most 6.28319; this looks like degrees: in radians "
        "it is -1.5708; if it is meant, allow_large = [\"mounting\"]\n"},
       {"[[walls]]\nsurface_point = 0",
-       "2: walls[0].surface_point = 0, expected 2 numbers: a finite number [m]\n"},
-      {"[simulation]\ndirection = 1", "2: simulation.direction = 1, expected 2 numbers: a direction [1]\n"},
+       "2: walls[0].surface_point = 0: expected 2 numbers: a finite number [m]\n"},
+      {"[simulation]\ndirection = 1", "2: simulation.direction = 1: expected 2 numbers: a direction [1]\n"},
       {"[[walls]]\nstiffness = -1",
-       "2: [walls[0]] stiffness of a wall [N/m] = -1, expected a finite number >= 0\n"},
+       "2: [walls[0]] stiffness of a wall [N/m] = -1: expected a finite number >= 0\n"},
       {"[homing]\nmax_start_depth = inf",
-       "2: [homing] max_start_depth [m] = inf, expected a finite number >= 0"},
-      {"[homing]\npose = [inf, 0]", "2: [homing] pose[0] [rad or m] = inf, expected a finite number"},
+       "2: [homing] max_start_depth [m] = inf: expected a finite number >= 0"},
+      {"[homing]\npose = [inf, 0]", "2: [homing] pose[0] [rad or m] = inf: expected a finite number"},
       {"[mechanism]\ntype = \"five_bar\"",
-       " [homing] pose is missing, expected joint positions at the start"},
+       " [homing] pose is missing: expected joint positions at the start"},
       {"[[walls]]\n[[walls]]\nnormal = [0, 0]", "3: [walls[1]] "},
       {"law.type = \"direct_control\"\n[sensor]\ntype = \"none\"",
-       "1: law.type = 'direct_control', expected one of \"on_off_control\", \"no_direct_control\": "
+       "1: law.type = 'direct_control': expected one of \"on_off_control\", \"no_direct_control\": "
        "direct_control needs a hand force, and [sensor] has type = \"none\"\n"},
       {"[port]\ntype = \"serial\"",
-       "1: [port] type = \"serial\" and [sensor] type = \"simulated\", expected both"},
-      {"[port]\ntype = \"serial\"\nbaud = 1234", "3: [port] baud [bit/s] = 1234, expected one of 9600, "},
+       "1: [port] type = \"serial\" and [sensor] type = \"simulated\": expected both"},
+      {"[port]\ntype = \"serial\"\nbaud = 1234", "3: [port] baud [bit/s] = 1234: expected one of 9600, "},
       {"[port]\ntype = \"comedi\"\namperes_per_volt = 0", "3: [port] brakes[0].amperes_per_volt [A/V]"},
       {"\n[homing]\npose = [2.8, -0.1", "3: Error while parsing array"},
       {"[brakes]\n[brakes]", "2: Error while parsing table header"},
-      {"[simulation]\nseed = -1", "2: [simulation] seed = -1, expected a whole number >= 0"},
+      {"[simulation]\nseed = -1", "2: [simulation] seed = -1: expected a whole number >= 0"},
       {"log = \"brake\\u0000driver.csv\"", "1: log = "},
-      {"\"a\\u0000\\u001b[2J\" = 1", "1: unknown key 'a??[2J', expected one of "},
+      {"\"a\\u0000\\u001b[2J\" = 1", "1: unknown key 'a??[2J': expected one of "},
       {"\nl\u00e4nge = 1", "2: Error while parsing key-value pair"},
   });
 }
@@ -144,21 +144,21 @@ TEST_F(a_configuration, takes_each_mechanism_that_it_can_drive) {
   expect_named({
       {"[mechanism]\ntype = \"five_bar_with_four_brakes\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\ntype = "
        "\"none\"\n[port]\ntype = \"comedi\"",
-       "8: port.type = 'comedi', expected \"simulated\" or \"serial\": a card supports two or three brakes "
+       "8: port.type = 'comedi': expected \"simulated\" or \"serial\": a card supports two or three brakes "
        "with "
        "an encoder each\n"},
       {arm_in_space + "[sensor]\ntype = \"net_ft\"",
-       "13: sensor.type = 'net_ft', expected \"none\": the handle of a spatial_chain_3 rotates, "
+       "13: sensor.type = 'net_ft': expected \"none\": the handle of a spatial_chain_3 rotates, "
        "and the program supports no sensor that rotates with it\n"},
       {"[mechanism]\ntype = \"delta\"\n[sensor]\nlink = [1, 1, 1]",
-       "4: unknown key 'sensor.link', expected one "},
+       "4: unknown key 'sensor.link': expected one "},
       {arm,
-       "1: [mechanism] type = \"planar_chain_2\", expected one with inertia, which a simulated device "
+       "1: [mechanism] type = \"planar_chain_2\": expected one with inertia, which a simulated device "
        "needs\n"},
       {"[[brakes.model]]",
-       "1: brakes.model = [ a table ], expected 2 tables [[brakes.model]], one for each "},
+       "1: brakes.model = [ a table ]: expected 2 tables [[brakes.model]], one for each "},
       {"[[brakes.model]]\n[[brakes.model]]\n[simulation]\nbrake = \"coulomb\"",
-       "4: simulation.brake = 'coulomb', expected no brakes in [simulation], as the file has "
+       "4: simulation.brake = 'coulomb': expected no brakes in [simulation], as the file has "
        "[[brakes.model]]"},
   });
   const outcome o = check(arm + "[port]\ntype = \"serial\"\n[sensor]\ntype = \"none\"\n");
@@ -166,22 +166,22 @@ TEST_F(a_configuration, takes_each_mechanism_that_it_can_drive) {
   EXPECT_TRUE(has(o.out, "planar_chain_2, serial device, none force sensor, on_off_control\n")) << o.out;
   EXPECT_EQ(
       run({"--config", "c.toml", "--simulate"}).err,
-      "error: [mechanism] type = \"planar_chain_2\", expected one with inertia, which a simulated device "
+      "error: [mechanism] type = \"planar_chain_2\": expected one with inertia, which a simulated device "
       "needs\n");
   EXPECT_EQ(check("walls = []\n[[brakes.model]]\n[[brakes.model]]\ntype = \"stribeck\"\n").status, 0);
   EXPECT_EQ(run({"--config", "c.toml", "--limits"}).err,
-            "error: walls = [], expected one or more for --limits, which is about the first\n");
+            "error: walls = []: expected one or more for --limits, which is about the first\n");
 }
 
 TEST_F(a_configuration, with_an_old_key_gets_the_new_name) {
   expect_named({
       {"law = \"direct_control\"",
-       "1: law = 'direct_control', expected a table, [law], with type = \"...\": the key was renamed\n"},
-      {"[[wall]]\nnormal = [0, -1]", "1: wall = [ a table ], expected [[walls]]: the key was renamed\n"},
-      {"[[walls]]\ntype = \"plane\"", "2: walls[0].type = 'plane', expected \"half_space\": the shape was "},
-      {"[[walls]]\npoint = [0, 1]", "2: walls[0].point = [ 0, 1 ], expected surface_point: the key was "},
+       "1: law = 'direct_control': expected a table, [law], with type = \"...\": the key was renamed\n"},
+      {"[[wall]]\nnormal = [0, -1]", "1: wall = [ a table ]: expected [[walls]]: the key was renamed\n"},
+      {"[[walls]]\ntype = \"plane\"", "2: walls[0].type = 'plane': expected \"half_space\": the shape was "},
+      {"[[walls]]\npoint = [0, 1]", "2: walls[0].point = [ 0, 1 ]: expected surface_point: the key was "},
       {"[[walls]]\ntype = \"ball\"\ncentre = [0, 0]\nradius = 0.1\nfilling = \"solid\"",
-       "5: walls[0].filling = 'solid', expected inside: the key was renamed\n"},
+       "5: walls[0].filling = 'solid': expected inside: the key was renamed\n"},
   });
 }
 
@@ -194,22 +194,22 @@ TEST_F(a_configuration, says_nothing_that_nobody_reads) {
   const std::string five_bar = "[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\n";
   expect_named({
       {tables + "table_2 = [[0, 0], [1, 1]]\ntorque_per_ampere = 1.5",
-       "4: brakes.torque_per_ampere = 1.5, expected no slope if all brakes have a table, "},
-      {"[brakes]\ntable_2 = []", "2: brakes.table_2 = [], expected 2 to 16 pairs of amperes"},
-      {"[brakes]\nheat = 5", "2: brakes.heat = 5, expected continuous_current, above which "},
+       "4: brakes.torque_per_ampere = 1.5: expected no slope if all brakes have a table, "},
+      {"[brakes]\ntable_2 = []", "2: brakes.table_2 = []: expected 2 to 16 pairs of amperes"},
+      {"[brakes]\nheat = 5", "2: brakes.heat = 5: expected continuous_current, above which "},
       {"[brakes]\nloss_per_kelvin = 0.002",
-       "2: brakes.loss_per_kelvin = 0.002, expected 0, as no sensor of this program reads"},
-      {five_bar, "5: [sensor] link is missing, expected how far each joint turns the sensor: both angles "},
+       "2: brakes.loss_per_kelvin = 0.002: expected 0, as no sensor of this program reads"},
+      {five_bar, "5: [sensor] link is missing: expected how far each joint turns the sensor: both angles "},
       {"[mechanism]\ntype = \"xy_table\"\n[sensor]\nlink = [1, 1]",
-       "4: sensor.link = [ 1, 1 ], expected 0, as a slide does not rotate the sensor; remove it"},
+       "4: sensor.link = [ 1, 1 ]: expected 0, as a slide does not rotate the sensor; remove it"},
       {"[sensor]\ngravity = [0, -9.81]",
        "1: [sensor] handle_mass [kg] = 0, expected > 0 if gravity is given, "},
       {"[sensor]\ntare = false\ntare_tolerance = 0.5",
-       "3: sensor.tare_tolerance = 0.5, expected tare = true, without which "},
+       "3: sensor.tare_tolerance = 0.5: expected tare = true, without which "},
       {"[sensor]\ntype = \"comedi\"\nrange_of_values = [9, 9, 9, 9, 9, 9]",
-       "3: sensor.range_of_values = [ 9, 9, 9, 9, 9, 9 ], expected 2 numbers, or one for all"},
-      {card + "counter_a = 8", "7: port.counter_a = 8, expected counter_setup = \"ni_quadrature\", without"},
-      {card + "counter_setup = \"keep\"\ncounter_b = [-1, 9]", "8: port.counter_b = [ -1, 9 ], expected "},
+       "3: sensor.range_of_values = [ 9, 9, 9, 9, 9, 9 ]: expected 2 numbers, or one for all"},
+      {card + "counter_a = 8", "7: port.counter_a = 8: expected counter_setup = \"ni_quadrature\", without"},
+      {card + "counter_setup = \"keep\"\ncounter_b = [-1, 9]", "8: port.counter_b = [ -1, 9 ]: expected "},
   });
   for (const std::string& text : {
            tables + "torque_per_ampere = 1.6",
@@ -251,17 +251,17 @@ TEST_F(a_configuration, that_is_no_file_is_named) {
   file("large.toml", "# A comment\n");
   fs::resize_file(directory / "large.toml", 1'000'000'000);  // holes, which take no room
   for (const auto& [path, is] : {std::pair{"none.toml", "no such file"},
-                                 {"folder", "is a directory, expected a regular file"},
-                                 {"/dev/zero", "is a device, expected a regular file"},
-                                 {"fifo", "is a FIFO, expected a regular file"},
-                                 {"large.toml", "1000000000 bytes, expected at most 1048576"}}) {
+                                 {"folder", "is a directory: expected a regular file"},
+                                 {"/dev/zero", "is a device: expected a regular file"},
+                                 {"fifo", "is a FIFO: expected a regular file"},
+                                 {"large.toml", "1000000000 bytes: expected at most 1048576"}}) {
     const outcome o = run({"--config", path, "--check"});
     EXPECT_EQ(o.status, 2) << path;
     EXPECT_EQ(o.err, std::string("error: ") + path + ": " + is + "\n");
   }
   EXPECT_EQ(
       check("version https://git-lfs.github.com/spec/v1\n").err,
-      "error: c.toml: a Git LFS pointer, not the file, expected what it points to; run `git lfs pull`\n");
+      "error: c.toml: a Git LFS pointer, not the file: expected what it points to; run `git lfs pull`\n");
 }
 
 // The fuzzer of tests/fuzz/configuration.cpp goes deeper.
@@ -278,7 +278,7 @@ TEST_F(a_configuration, that_is_long_or_deep_is_refused_by_its_beginning) {
   for (int i = 0; i < 200'000; ++i) dots += ".a";
   for (const std::string& deep : {dots + " = 1", "[[" + dots + "]]"})
     EXPECT_EQ(check(deep).err,
-              "error: c.toml:1: over 200 dots in a line, expected fewer; break it into lines\n");
+              "error: c.toml:1: over 200 dots in a line: expected fewer; break it into lines\n");
   const outcome o = check("a = " + std::string(200'000, '['));
   EXPECT_EQ(o.status, 2);
   EXPECT_TRUE(o.err.starts_with("error: c.toml:1: Error while parsing ")) << o.err.substr(0, 200);
@@ -315,7 +315,7 @@ TEST_F(a_configuration, with_any_value_that_is_out_of_all_bounds_is_refused) {
         EXPECT_TRUE(o.err.starts_with("error: c.toml:")) << o.err;
       }
   EXPECT_TRUE(
-      has(check("[encoders]\nwindow = 17").err, "window [periods] = 17, expected at most the capacity, 16"));
+      has(check("[encoders]\nwindow = 17").err, "window [periods] = 17: expected at most the capacity, 16"));
 }
 
 TEST_F(a_configuration, has_values_of_no_device_only_if_its_user_says_so) {
@@ -346,9 +346,9 @@ TEST_F(a_configuration, has_values_of_no_device_only_if_its_user_says_so) {
     EXPECT_EQ(o.status, 0) << o.err;
   }
   EXPECT_EQ(check("allow_large = [\"hold_over\"]\n[safety]\nhold_over = 1").err,
-            "error: c.toml:1: allow_large = [\"hold_over\"], expected keys of values that no device has; "
+            "error: c.toml:1: allow_large = [\"hold_over\"]: expected keys of values that no device has; "
             "remove it\n");
-  EXPECT_TRUE(has(check("allow_large = true").err, "allow_large = true, expected a list of keys in quotes"));
+  EXPECT_TRUE(has(check("allow_large = true").err, "allow_large = true: expected a list of keys in quotes"));
 }
 
 TEST_F(a_configuration, that_the_documentation_writes_down_is_read_key_by_key) {
@@ -372,13 +372,13 @@ TEST_F(a_configuration, that_the_documentation_writes_down_is_read_key_by_key) {
 
 TEST_F(a_configuration, is_not_read_after_a_mistake_in_the_options) {
   for (const auto& [arguments, message] : {
-           std::pair{words{"--seconds", "x"}, "--seconds: x, expected a number > 0"},
-           {{"--seconds", "0"}, "--seconds: 0, expected a number > 0"},
-           {{"--seconds=nan"}, "--seconds: nan, expected a number > 0"},
-           {{"--seconds=1s"}, "--seconds: 1s, expected a number > 0"},
+           std::pair{words{"--seconds", "x"}, "--seconds: x: expected a number > 0"},
+           {{"--seconds", "0"}, "--seconds: 0: expected a number > 0"},
+           {{"--seconds=nan"}, "--seconds: nan: expected a number > 0"},
+           {{"--seconds=1s"}, "--seconds: 1s: expected a number > 0"},
            {{"--seconds"}, "--seconds: 1 required NUMBER missing"},
            {{"--config"}, "--config: 1 required FILE missing"},
-           {{"--config", ""}, "--config: empty, expected a value"},
+           {{"--config", ""}, "--config: empty: expected a value"},
            {{"--second=1"}, "The following argument was not expected: --second=1"},
            {{"c.toml"}, "The following argument was not expected: c.toml"},
        }) {

@@ -45,7 +45,7 @@ TEST_F(a_home_pose, deep_in_a_wall_is_refused_with_its_likely_cause) {
   EXPECT_EQ(
       check("[homing]\npose = [107.785, -74.8]").err,
       "error: c.toml:2: [homing] pose = (107.785, -74.8) rad, handle at (0.0849, 0.2738) m, 48.8 mm "
-      "inside wall 1 (half_space), expected at most max_start_depth, 5 mm; angles beyond a turn look like "
+      "inside wall 1 (half_space): expected at most max_start_depth, 5 mm; angles beyond a turn look like "
       "degrees: in radians they are (1.8812, -1.3055)\n");
   EXPECT_EQ(
       check("[[walls]]\n[[walls]]\nsurface_point = [0, 0.1]\nnormal = [0, 1]\n[[walls]]\nsurface_point = [0, "
@@ -53,13 +53,13 @@ TEST_F(a_home_pose, deep_in_a_wall_is_refused_with_its_likely_cause) {
             "= [0, 1]\n[homing]\npose = [1.8812, -1.3055]")
           .err,
       "error: c.toml:9: [homing] pose = (1.8812, -1.3055) rad, handle at (0.0800, 0.2245) m, 25.5 mm "
-      "inside wall 3 (half_space), expected at most max_start_depth, 5 mm; check that its normal points to "
+      "inside wall 3 (half_space): expected at most max_start_depth, 5 mm; check that its normal points to "
       "the "
       "free side" +
           sides);
   EXPECT_EQ(check("[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.2345]\nradius = 0.05\n").err,
             "error: c.toml: [homing] pose = (1.88121, -1.30547) rad, handle at (0.0800, 0.2245) m, 40.0 mm "
-            "inside wall 1 (ball), expected at most max_start_depth, 5 mm; check its inside (solid: "
+            "inside wall 1 (ball): expected at most max_start_depth, 5 mm; check its inside (solid: "
             "free outside, hollow: free inside)" +
                 sides);
 }
@@ -78,7 +78,7 @@ TEST_F(a_home_pose, that_is_refused_opens_no_device) {
 TEST_F(a_home_pose, in_degrees_is_named_in_free_space_too) {
   EXPECT_TRUE(
       has(check("[homing]\npose = [-90, 10]").err,
-          " m, expected angles within a turn; angles beyond a turn look like degrees: in radians they are "
+          " m: expected angles within a turn; angles beyond a turn look like degrees: in radians they are "
           "(-1.5708, 0.1745)\n"));
   EXPECT_EQ(check("[homing]\npose = [-4.4, -1.3055]").status, 0);
 }
@@ -88,7 +88,7 @@ TEST_F(a_home_pose, of_no_handle_is_refused) {
       check("[mechanism]\ntype = \"five_bar\"\n[sensor]\nlink = [0, 0]\n[homing]\npose = [3.1, 0]");
   EXPECT_EQ(o.status, 2);
   EXPECT_TRUE(
-      has(o.err, "c.toml:6: [homing] pose = (3.1, 0) rad, expected a pose that the mechanism can take"))
+      has(o.err, "c.toml:6: [homing] pose = (3.1, 0) rad: expected a pose that the mechanism can take"))
       << o.err;
 }
 
@@ -99,7 +99,7 @@ TEST_F(a_home_pose, may_be_as_deep_as_the_file_says) {
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(has(o.out, "wall 1 (half_space): 20.0 mm inside it: check")) << o.out;
   EXPECT_TRUE(has(check("[homing]\nmax_start_depth = 1").err,
-                  "max_start_depth [m] = 1, expected at most 0.1; if it is meant, allow_large"));
+                  "max_start_depth [m] = 1: expected at most 0.1; if it is meant, allow_large"));
 }
 
 // A device whose handle is where a test puts it, and which may fall silent.

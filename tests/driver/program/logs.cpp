@@ -194,16 +194,16 @@ TEST_F(a_log, that_is_wrong_is_named_with_file_line_and_column) {
   file("key.toml", "homeing = 1\n");
   for (const auto& [arguments, status, message] : {
            std::tuple{words{"a.csv", "--config=c.toml"}, 1,
-                      "error: a.csv, line 2, column 7: 'x', expected a finite number for 'Fh_y'\n"},
+                      "error: a.csv, line 2, column 7: 'x': expected a finite number for 'Fh_y'\n"},
            {words{"none.csv"}, 1, "error: cannot read 'none.csv': No such file or directory\n"},
            {words{"a.csv"}, 2,
-            "error: a.device.toml: no such file, expected the device file that brake_driver wrote next to "
+            "error: a.device.toml: no such file: expected the device file that brake_driver wrote next to "
             "a.csv; give the device of the log by --config FILE\n"},
            {words{"--config=none.toml"}, 2, "error: none.toml: no such file\n"},
            {words{"--config=wrong.toml"}, 2,
-            "error: wrong.toml:2: [mechanism] length_1 [m] = -1, expected a finite number > 0\n"},
+            "error: wrong.toml:2: [mechanism] length_1 [m] = -1: expected a finite number > 0\n"},
            {words{"--config=key.toml"}, 2,
-            "error: key.toml:1: unknown key 'homeing', expected one of allow_large, brakes, effects, "
+            "error: key.toml:1: unknown key 'homeing': expected one of allow_large, brakes, effects, "
             "encoders, "
             "homing, "
             "law, log, loop, mechanism, port, safety, scene, sensor, simulation, walls; did you mean "

@@ -91,7 +91,7 @@ TEST_F(a_running_driver, says_before_anything_starts_that_it_cannot_write_its_lo
   EXPECT_EQ(o.status, 1);
   EXPECT_EQ(
       o.err,
-      "error: cannot write 'nowhere/log.csv.part': No such file or directory, expected a folder that is "
+      "error: cannot write 'nowhere/log.csv.part': No such file or directory: expected a folder that is "
       "there and where you may write\n");
   EXPECT_EQ(o.out, "");
 }
@@ -104,7 +104,7 @@ TEST_F(a_running_driver, replaces_no_device_by_its_log) {
     const outcome o = run(std::string("log = \"") + name + "\"\n" + settings{}.text(), {"--seconds", "0.1"});
     EXPECT_EQ(o.status, 1) << o.out;
     EXPECT_TRUE(o.err.ends_with(std::string("error: cannot write '") + name + "': it is " + kind +
-                                ", expected a regular file or a free name; choose another name\n"))
+                                ": expected a regular file or a free name; choose another name\n"))
         << o.err;
     EXPECT_FALSE(fs::is_regular_file(directory / name));
   }
@@ -124,7 +124,7 @@ TEST_F(a_running_driver, refuses_to_keep_currents_where_no_watchdog_ends_them) {
   card.insert(card.find("[safety]\n") + 9, "at_release = \"hold\"\n");
   const outcome comedi = check(card);
   EXPECT_EQ(comedi.status, 2);
-  EXPECT_TRUE(has(comedi.err, "[safety] at_release, expected \"zero\": a card under Comedi has no watchdog"))
+  EXPECT_TRUE(has(comedi.err, "[safety] at_release: expected \"zero\": a card under Comedi has no watchdog"))
       << comedi.err;
   // It would let go before the supervisor could ramp
   const outcome late =
@@ -132,7 +132,7 @@ TEST_F(a_running_driver, refuses_to_keep_currents_where_no_watchdog_ends_them) {
   EXPECT_EQ(late.status, 2);
   EXPECT_TRUE(
       has(late.err,
-          "error: [safety] supervisor_timeout [s] = 0.9, expected less than 0.8 of the device's watchdog, "
+          "error: [safety] supervisor_timeout [s] = 0.9: expected less than 0.8 of the device's watchdog, "
           "1, or at_release = \"zero\""))
       << late.err;
   EXPECT_FALSE(fs::exists(part_path()));

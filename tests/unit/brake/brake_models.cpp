@@ -107,11 +107,11 @@ TEST(eddy_current_brake, keeps_its_limit_at_rates_that_are_barely_numbers) {
 
 TEST(brake_models, whose_torque_overflows_are_refused) {
   EXPECT_EQ(validate(ph::eddy_current_brake<double>{.peak_torque = 1e300, .critical_rate = 1e-20}),
-            "2 peak_torque / critical_rate [N m s] = inf, expected a finite number");
+            "2 peak_torque / critical_rate [N m s] = inf: expected a finite number");
   ph::compensated_brake<ph::stribeck_brake<double>> brake;
   brake.model.coulomb.torque_limit = 1e300;
   brake.model.static_ratio = 1e10;
-  EXPECT_EQ(validate(brake), "model.static_ratio torque_limit [N m] = inf, expected a finite number");
+  EXPECT_EQ(validate(brake), "model.static_ratio torque_limit [N m] = inf: expected a finite number");
 }
 
 TEST(magnetorheological_brake, goes_around_a_loop) {
@@ -219,12 +219,12 @@ TEST(brake_models, name_their_own_parameters_and_those_of_the_model_inside) {
   ph::delayed_brake<ph::stribeck_brake<double>> brake;
   EXPECT_EQ(validate(brake), "");
   brake.model.static_ratio = 0.9;
-  EXPECT_EQ(validate(brake), "model.static_ratio [1] = 0.9, expected a finite number >= 1");
+  EXPECT_EQ(validate(brake), "model.static_ratio [1] = 0.9: expected a finite number >= 1");
   brake.model.static_ratio = 1;
   brake.dead_time = -1;
-  EXPECT_EQ(validate(brake), "dead_time [s] = -1, expected a finite number >= 0");
+  EXPECT_EQ(validate(brake), "dead_time [s] = -1: expected a finite number >= 0");
   brake.model.coulomb.torque_limit = -1;
-  EXPECT_EQ(validate(brake), "model.coulomb.torque_limit [N m] = -1, expected a finite number >= 0");
+  EXPECT_EQ(validate(brake), "model.coulomb.torque_limit [N m] = -1: expected a finite number >= 0");
 }
 
 // A model of a user, without a table
@@ -236,9 +236,9 @@ struct without_parameters {
 };
 TEST(brake_models, check_their_own_parameters_around_a_model_without_any) {
   EXPECT_EQ(validate(ph::delayed_brake<without_parameters>{.dead_time = -1}),
-            "dead_time [s] = -1, expected a finite number >= 0");
+            "dead_time [s] = -1: expected a finite number >= 0");
   EXPECT_EQ(validate(ph::presliding_brake<without_parameters>{.presliding = -1}),
-            "presliding [rad] = -1, expected a finite number >= 0");
+            "presliding [rad] = -1: expected a finite number >= 0");
 }
 
 static_assert(ph::InvertibleBrakeModel<ph::coulomb_brake<float>>);

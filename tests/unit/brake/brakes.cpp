@@ -131,13 +131,13 @@ TYPED_TEST(brakes, say_what_is_wrong_with_them) {
   ph::brake_parameters<T, 2> p;
   EXPECT_EQ(ph::check_brakes(p), "");
   p.time_constant[1] = T(-1);
-  EXPECT_EQ(ph::check_brakes(p), "time_constant[1] [s] = -1, expected a finite number >= 0");
+  EXPECT_EQ(ph::check_brakes(p), "time_constant[1] [s] = -1: expected a finite number >= 0");
   p.torque_dead_band[0] = T(-2);
-  EXPECT_EQ(ph::check_brakes(p), "torque_dead_band[0] [N m] = -2, expected a finite number >= 0");
+  EXPECT_EQ(ph::check_brakes(p), "torque_dead_band[0] [N m] = -2: expected a finite number >= 0");
   p.rate_dead_band[1] = T(-3);
-  EXPECT_EQ(ph::check_brakes(p), "rate_dead_band[1] [rad/s] = -3, expected a finite number >= 0");
+  EXPECT_EQ(ph::check_brakes(p), "rate_dead_band[1] [rad/s] = -3: expected a finite number >= 0");
   p.torque_limit[0] = T(-4);
-  EXPECT_EQ(ph::check_brakes(p), "torque_limit[0] [N m] = -4, expected a finite number >= 0");
+  EXPECT_EQ(ph::check_brakes(p), "torque_limit[0] [N m] = -4: expected a finite number >= 0");
 }
 
 }  // namespace

@@ -154,10 +154,10 @@ TEST(brakes_that_tell_a_part, are_checked_for_what_they_tell) {
   EXPECT_EQ(thrown_by([&] { make(ph::unlimited_brakes()); }), "nothing");
   EXPECT_EQ(thrown_by([&] { make(limits_alone()); }), "nothing");
   EXPECT_EQ(thrown_by([&] { make(limits_alone{{1, -2}}); }),
-            "passive_haptics: torque_limit[1] [N m] = -2, expected a finite number >= 0");
+            "passive_haptics: torque_limit[1] [N m] = -2: expected a finite number >= 0");
   EXPECT_EQ(validate(ph::unlimited_brakes()), "");
   EXPECT_EQ(ph::check_brakes(dead_bands_alone{{-1, 0}}),
-            "rate_dead_band[0] [rad/s] = -1, expected a finite number >= 0");
+            "rate_dead_band[0] [rad/s] = -1: expected a finite number >= 0");
   ph::step_memory<ph::no_direct_control> memory;
   const ph::sensorless_device_state<M> s{0, {0, 0}, {1, -1}};
   ph::contacts<2, 1> touched;

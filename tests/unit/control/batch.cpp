@@ -132,17 +132,17 @@ TEST(batch, refuses_arrays_of_other_lengths) {
     return error_of(states, results);
   };
   EXPECT_EQ(error_after([](auto& s, auto&) { s.qd[1] = s.qd[1].first(9); }),
-            "passive_haptics: length of qd[1] = 9, expected 10, one number for each state, as q[0] has");
+            "passive_haptics: length of qd[1] = 9: expected 10, one number for each state, as q[0] has");
   EXPECT_EQ(error_after([](auto& s, auto&) { s.hand_force[0] = {}; }),
-            "passive_haptics: length of hand_force[0] = 0, expected 10, one number for each state, as q[0] "
+            "passive_haptics: length of hand_force[0] = 0: expected 10, one number for each state, as q[0] "
             "has; or leave hand_force empty");
   EXPECT_EQ(error_after([](auto& s, auto&) { s.hand_force = {}; }),
-            "passive_haptics: length of hand_force[0] = 0, expected 10, as the law needs a hand force; or "
+            "passive_haptics: length of hand_force[0] = 0: expected 10, as the law needs a hand force; or "
             "use a law that needs none (no_direct_control)");
   EXPECT_EQ(error_after([](auto&, auto& r) { r.outcome = {}; }),
-            "passive_haptics: length of outcome = 0, expected 10, one number for each state, as q[0] has");
+            "passive_haptics: length of outcome = 0: expected 10, one number for each state, as q[0] has");
   EXPECT_EQ(error_after([](auto&, auto& r) { r.alpha = r.alpha.first(1); }),
-            "passive_haptics: length of alpha = 1, expected 10, one number for each state, as q[0] has; or "
+            "passive_haptics: length of alpha = 1: expected 10, one number for each state, as q[0] has; or "
             "leave alpha empty");
 }
 

@@ -176,9 +176,9 @@ TEST(on_off, displays_what_no_direct_control_does) {
 TEST(control_law_parameters, say_what_is_wrong) {
   EXPECT_EQ(validate(ph::direct_control{}), "");
   EXPECT_EQ(validate(ph::direct_control{.velocity_dead_band = -1}),
-            "velocity_dead_band [m/s] = -1, expected a finite number >= 0");
+            "velocity_dead_band [m/s] = -1: expected a finite number >= 0");
   EXPECT_EQ(validate(ph::on_off_parameters{}), "");
-  EXPECT_EQ(validate(ph::on_off_parameters{.lead = -1}), "lead [s] = -1, expected a finite number >= 0");
+  EXPECT_EQ(validate(ph::on_off_parameters{.lead = -1}), "lead [s] = -1: expected a finite number >= 0");
 }
 
 TEST(control_law_parameters, are_checked_by_a_controller) {

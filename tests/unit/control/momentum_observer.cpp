@@ -199,7 +199,7 @@ TEST(momentum_observer, starts_anew_after_a_pose_that_is_undefined) {
 TEST(momentum_observer, complains_of_its_gain) {
   EXPECT_EQ(validate(ph::momentum_observer_parameters{}), "");
   EXPECT_EQ(validate(ph::momentum_observer_parameters{.gain = 0}),
-            "gain [1/s] = 0, expected a finite number > 0");
+            "gain [1/s] = 0: expected a finite number > 0");
   EXPECT_THROW((ph::momentum_observer<table>{table(), {}, {.gain = -1}}), std::invalid_argument);
 }
 

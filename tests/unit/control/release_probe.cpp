@@ -57,7 +57,7 @@ TEST(release_probe, forgets) {
 TEST(release_probe, complains_of_its_times) {
   EXPECT_EQ(validate(quick), "");
   EXPECT_EQ(validate(ph::release_probe_parameters{.probe_time = 0}),
-            "probe_time [s] = 0, expected a finite number > 0");
+            "probe_time [s] = 0: expected a finite number > 0");
   EXPECT_THROW(probe({.probe_period = -1}), std::invalid_argument);
   EXPECT_DOUBLE_EQ(ph::max_release_time(quick), 0.2);
 }

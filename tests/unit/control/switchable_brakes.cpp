@@ -185,9 +185,9 @@ TEST(switchable_brakes, say_what_is_wrong_with_their_interval) {
   EXPECT_EQ(ph::check_brakes(brakes), "");
   brakes.torque_upper[1] = -1;
   EXPECT_EQ(ph::check_brakes(brakes),
-            "torque_upper[1] [N m] = -1, expected a number >= 0, or inf for no bound");
+            "torque_upper[1] [N m] = -1: expected a number >= 0, or inf for no bound");
   brakes.torque_lower[0] = 2;
-  EXPECT_EQ(ph::validate(brakes), "torque_lower[0] [N m] = 2, expected a number <= 0, or -inf for no bound");
+  EXPECT_EQ(ph::validate(brakes), "torque_lower[0] [N m] = 2: expected a number <= 0, or -inf for no bound");
   EXPECT_EQ(ph::check_brakes(brakes), ph::validate(brakes));
 }
 

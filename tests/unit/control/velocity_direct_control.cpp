@@ -171,7 +171,7 @@ TEST(velocity_direct_control, turns_the_normal_of_a_round_wall_that_was_sensed_e
 
 TEST(velocity_direct_control, refuses_constants_that_make_no_sense) {
   EXPECT_NE(
-      thrown_by([] { law({.velocity_lag = 0}); }).find("velocity_lag [s] = 0, expected a finite number > 0"),
+      thrown_by([] { law({.velocity_lag = 0}); }).find("velocity_lag [s] = 0: expected a finite number > 0"),
       std::string::npos);
 }
 

@@ -144,7 +144,7 @@ TEST(wall_limits, numbers_that_are_none_are_refused_by_name) {
   wall.approach_speed = 2;
   EXPECT_EQ(
       error_of(wall),
-      "passive_haptics: depth of the landing at a braked_wall [m] = nan, expected a number: give forces "
+      "passive_haptics: depth of the landing at a braked_wall [m] = nan: expected a number: give forces "
       "in N and the inertia in kg, so that none of them overflows");
 }
 

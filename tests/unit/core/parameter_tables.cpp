@@ -53,7 +53,7 @@ struct machine {
         member("cycles", &p::cycles, "", range::at_least(1)).suspicious_above(1000), member("seed", &p::seed),
         member("on", &p::on), member("name", &p::name));
   }
-  std::string rules() const { return mass > 100 * cycles ? "too heavy, expected less" : ""; }
+  std::string rules() const { return mass > 100 * cycles ? "too heavy: expected less" : ""; }
 };
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
@@ -69,26 +69,26 @@ std::string error(Change change) {
 
 TEST(parameter_table, names_each_wrong_value_where_it_stands) {
   EXPECT_EQ(error([](auto&) {}), "");
-  EXPECT_EQ(error([](auto& m) { m.mass = -1; }), "mass [kg] = -1, expected a finite number > 0");
-  EXPECT_EQ(error([](auto& m) { m.mass = nan; }), "mass [kg] = nan, expected a finite number > 0");
-  EXPECT_EQ(error([](auto& m) { m.limit[1] = -infinity; }), "limit[1] [N] = -inf, expected a finite number");
-  EXPECT_EQ(error([](auto& m) { m.gain(1, 0) = nan; }), "gain(1, 0) [1] = nan, expected a finite number");
+  EXPECT_EQ(error([](auto& m) { m.mass = -1; }), "mass [kg] = -1: expected a finite number > 0");
+  EXPECT_EQ(error([](auto& m) { m.mass = nan; }), "mass [kg] = nan: expected a finite number > 0");
+  EXPECT_EQ(error([](auto& m) { m.limit[1] = -infinity; }), "limit[1] [N] = -inf: expected a finite number");
+  EXPECT_EQ(error([](auto& m) { m.gain(1, 0) = nan; }), "gain(1, 0) [1] = nan: expected a finite number");
   EXPECT_EQ(error([](auto& m) { m.springs[1].stiffness = -2; }),
-            "springs[1].stiffness of a spring [N/m] = -2, expected a finite number >= 0");
+            "springs[1].stiffness of a spring [N/m] = -2: expected a finite number >= 0");
   EXPECT_EQ(error([](auto& m) { m.springs[0].direction = {0, 0}; }),
-            "|springs[0].direction| of a spring = 0, expected a direction");
+            "|springs[0].direction| of a spring = 0: expected a direction");
   EXPECT_EQ(error([](auto& m) { m.corners[1][0] = nan; }),
-            "corners[1][0] [m] = nan, expected a finite number");
-  EXPECT_EQ(error([](auto& m) { m.cycles = 0; }), "cycles = 0, expected a whole number >= 1");
+            "corners[1][0] [m] = nan: expected a finite number");
+  EXPECT_EQ(error([](auto& m) { m.cycles = 0; }), "cycles = 0: expected a whole number >= 1");
   EXPECT_EQ(error([](auto& m) { m.unlisted = nan; }), "");
   EXPECT_EQ(error([](auto& m) { m.mass = infinity, m.cycles = 0; }),
-            "mass [kg] = inf, expected a finite number > 0")
+            "mass [kg] = inf: expected a finite number > 0")
       << "the first of them";
-  EXPECT_EQ(error([](auto& m) { m.mass = 301; }), "too heavy, expected less") << "rules() of valid members";
+  EXPECT_EQ(error([](auto& m) { m.mass = 301; }), "too heavy: expected less") << "rules() of valid members";
   machine wrong;
   wrong.cycles = -1;
   EXPECT_EQ(thrown_by([&] { ph::require_valid(wrong); }),
-            "passive_haptics: cycles = -1, expected a whole number >= 1");
+            "passive_haptics: cycles = -1: expected a whole number >= 1");
 }
 
 TEST(parameter_table, finds_values_of_no_device_by_magnitude_and_names_them) {
@@ -107,12 +107,12 @@ TEST(parameter_table, finds_values_of_no_device_by_magnitude_and_names_them) {
   m.limit << 50.5, -infinity;
   m.cycles = std::numeric_limits<int>::min();
   EXPECT_EQ(find(),
-            "limit limit[0] [N] = 50.5, expected at most 50\nlimit limit[1] [N] = -inf, expected at most 50\n"
-            "cycles cycles = -2147483648, expected at most 1000\n");
+            "limit limit[0] [N] = 50.5: expected at most 50\nlimit limit[1] [N] = -inf: expected at most 50\n"
+            "cycles cycles = -2147483648: expected at most 1000\n");
   m.limit << 0.25, -0.25;
   m.cycles = 1;
   EXPECT_EQ(find(),
-            "limit limit[0] [N] = 0.25, expected at least 0.5\nlimit limit[1] [N] = -0.25, expected at least "
+            "limit limit[0] [N] = 0.25: expected at least 0.5\nlimit limit[1] [N] = -0.25: expected at least "
             "0.5\n");
   // By its unit; a component of a point may be any rounding of 0
   m = {};
@@ -121,8 +121,8 @@ TEST(parameter_table, finds_values_of_no_device_by_magnitude_and_names_them) {
   m.turn[0] = 90;
   EXPECT_EQ(
       find(),
-      "mass mass [kg] = 1e30, expected at most 1000\ncorners corners[0][1] [m] = 150, expected at most 100\n"
-      "turn turn[0] [rad] = 90, expected at most 6.28319; this looks like degrees: in radians it is "
+      "mass mass [kg] = 1e30: expected at most 1000\ncorners corners[0][1] [m] = 150: expected at most 100\n"
+      "turn turn[0] [rad] = 90: expected at most 6.28319; this looks like degrees: in radians it is "
       "1.5708\n");
   m = {};
   m.limit << nan, 0;

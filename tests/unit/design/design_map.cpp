@@ -142,9 +142,9 @@ TEST(design_map, refuses_what_cannot_be) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(
       message_of([&] { ph::design_map(device, points, limits(1, nan), 1.0); }),
-      "passive_haptics: torque_limit[1] for a design_map [N m] = nan, expected a number >= 0, or infinity");
+      "passive_haptics: torque_limit[1] for a design_map [N m] = nan: expected a number >= 0, or infinity");
   EXPECT_EQ(message_of([&] { ph::design_map(device, points, limits(1, 1), nan); }),
-            "passive_haptics: push on a design_map [N] = nan, expected a number");
+            "passive_haptics: push on a design_map [N] = nan: expected a number");
   const auto grid_of = [&](int columns, double left) {
     return message_of([&] {
       ph::points_of(
@@ -153,23 +153,23 @@ TEST(design_map, refuses_what_cannot_be) {
     });
   };
   EXPECT_EQ(grid_of(1, 0),
-            "passive_haptics: count[0] of a task_grid = 1, expected 2 or more points along each axis");
-  EXPECT_EQ(grid_of(2, nan), "passive_haptics: lower[0] of a task_grid = nan, expected a finite number [m]");
+            "passive_haptics: count[0] of a task_grid = 1: expected 2 or more points along each axis");
+  EXPECT_EQ(grid_of(2, nan), "passive_haptics: lower[0] of a task_grid = nan: expected a finite number [m]");
   EXPECT_EQ(message_of([&] { ph::points_of(device, [](double) { return ph::path_point<table>(); }, 0); }),
-            "passive_haptics: count of the points of a path = 0, expected 1 or more");
+            "passive_haptics: count of the points of a path = 0: expected 1 or more");
   EXPECT_EQ(
       grid_of(2'000'000'000, 0),
-      "passive_haptics: size of a task_grid = 4000000000, expected at most 100000000; map the task in parts");
+      "passive_haptics: size of a task_grid = 4000000000: expected at most 100000000; map the task in parts");
   EXPECT_EQ(message_of([&] {
               ph::points_of(device, [](double) { return ph::path_point<table>(); }, 1'000'000'000);
             }),
-            "passive_haptics: count of the points of a path = 1000000000, expected at most 100000000; map "
+            "passive_haptics: count of the points of a path = 1000000000: expected at most 100000000; map "
             "the task in "
             "parts");
   EXPECT_EQ(message_of([&] {
               ph::to_csv(ph::task_points<table>(), ph::design_map(device, points, limits(1, 1), 1.0));
             }),
-            "passive_haptics: number of points = 0, expected 1, the size of their design_map");
+            "passive_haptics: number of points = 0: expected 1, the size of their design_map");
 }
 
 TEST(task_grid, has_the_greatest_size_if_its_points_cannot_be_counted) {

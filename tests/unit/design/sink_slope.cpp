@@ -120,7 +120,7 @@ TEST(sink_depth, is_the_slope_times_the_way) {
   EXPECT_EQ(ph::sink_depth(table(), path, {1, 2}, 1.5), 0);
   EXPECT_EQ(ph::sink_depth(table(), path, {1, 2}, 2.3), never);
   EXPECT_EQ(thrown_by([&] { ph::sink_depth(table(), path, {1, 2}, 1, 1); }),
-            "passive_haptics: samples of a sink_depth = 1, expected 2 or more: it takes the path's length "
+            "passive_haptics: samples of a sink_depth = 1: expected 2 or more: it takes the path's length "
             "from two places");
 }
 

@@ -161,43 +161,43 @@ TEST(log_reader, finds_columns_by_name_beside_others) {
 }
 
 TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
-  const std::string number = ", expected a finite number for 'q1'";
+  const std::string number = ": expected a finite number for 'q1'";
   const std::string zero =
-      "a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, remove such bytes";
+      "a zero byte or Ctrl-Z: expected text; lines may be lost here: if none is, remove such bytes";
   struct malformed {
     const char* what;
     std::string log, message;
   };
   const malformed all[] = {
-      {"nothing at all", "", "line 1: the log is empty, expected a line of names, t,q1,..."},
+      {"nothing at all", "", "line 1: the log is empty: expected a line of names, t,q1,..."},
       {"no header", good,
-       "line 1: no column 't', expected one among '0.5,1,x', separated by commas, semicolons or tabs"},
-      {"no such column", "t,q2\n", "line 1: no column 'q1', expected one among 't,q2'"},
-      {"a column twice", "t,q1,q1\n", "line 1, column 3: a second 'q1', expected each name once"},
+       "line 1: no column 't': expected one among '0.5,1,x', separated by commas, semicolons or tabs"},
+      {"no such column", "t,q2\n", "line 1: no column 'q1': expected one among 't,q2'"},
+      {"a column twice", "t,q1,q1\n", "line 1, column 3: a second 'q1': expected each name once"},
       {"another unit", "# units: s,deg,\n" + header,
-       "line 2, column 2: 'q1' in 'deg', expected it in rad or m"},
+       "line 2, column 2: 'q1' in 'deg': expected it in rad or m"},
       {"time in another unit", "# units: ms,rad,\n" + header,
-       "line 2, column 1: 't' in 'ms', expected it in s"},
+       "line 2, column 1: 't' in 'ms': expected it in s"},
       {"too few units", "# units: s,rad\n" + header,
-       "line 2: 3 names and the units ' s,rad', expected a unit for each name, separated as the names are; "
+       "line 2: 3 names and the units ' s,rad': expected a unit for each name, separated as the names are; "
        "write them so, or remove the line of units"},
-      {"a log to come", "# passive_haptics log 2\n" + header, "line 1: version 2, expected version 1"},
-      {"a line too short", header + "0.6,1\n", "line 2, column 3: the line ends, expected a cell for 'note'"},
-      {"a line too long", header + "0,1,2,3\n", "line 2, column 4: '3', expected 3 cells"},
+      {"a log to come", "# passive_haptics log 2\n" + header, "line 1: version 2: expected version 1"},
+      {"a line too short", header + "0.6,1\n", "line 2, column 3: the line ends: expected a cell for 'note'"},
+      {"a line too long", header + "0,1,2,3\n", "line 2, column 4: '3': expected 3 cells"},
       {"no time", header + " ,1,2\n",
-       "line 2, column 1: no time, expected no time before that of the line above"},
+       "line 2, column 1: no time: expected no time before that of the line above"},
       {"a word", header + "0,two,3\n", "line 2, column 2: 'two'" + number},
       {"two separators", header + "0,1;5,2\n",
-       "line 2, column 2: '1;5', expected cells separated as the names are"},
+       "line 2, column 2: '1;5': expected cells separated as the names are"},
       {"a decimal comma", "t;q1\n0;1,5\n",
        "line 2, column 2: '1,5'" + number + "; write a decimal point instead of the comma"},
       {"a number out of range", header + "0,1e999,2\n", "line 2, column 2: '1e999' is out of range" + number},
       {"time that runs backwards", header + good + "0.4,1,2\n",
-       "line 3, column 1: time 0.4, expected no time before that of the line above"},
+       "line 3, column 1: time 0.4: expected no time before that of the line above"},
       {"a blank line in between", header + good + "\n" + good,
-       "line 4: a blank line before this one, expected numbers in each line"},
+       "line 4: a blank line before this one: expected numbers in each line"},
       {"a last line that may be cut off", "# passive_haptics log 1\nt,q1\n0,1\n1,1.5",
-       "line 4: the line has no newline, expected one at the end of each line; the log was cut off: "
+       "line 4: the line has no newline: expected one at the end of each line; the log was cut off: "
        "remove this line, or end it"},
       {"a zero byte", header + std::string("0,1,2\0,3", 8), "line 2: " + zero},
       {"control characters", header + "0,1\x1b[2J\t,3\n",

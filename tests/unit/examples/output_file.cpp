@@ -88,7 +88,7 @@ TEST_F(an_output_file, replaces_nothing_but_a_regular_file) {
                                    {"link_to_nothing", "a link to nothing"}}) {
     const auto before = fs::symlink_status(at(name)).type();
     EXPECT_EQ(error_of(at(name)), "cannot write '" + at(name).string() + "': it is " + kind +
-                                      ", expected a regular file or a free name; choose another name");
+                                      ": expected a regular file or a free name; choose another name");
     EXPECT_EQ(fs::symlink_status(at(name)).type(), before) << name;
     EXPECT_FALSE(fs::exists(at(name).string() + ".part")) << name;
   }
@@ -154,7 +154,7 @@ TEST_F(an_output_file, takes_a_part_that_somebody_left_only_if_it_can_be_compute
 TEST_F(an_output_file, says_that_its_folder_is_not_there) {
   EXPECT_EQ(error_of(at("none/a.csv")),
             "cannot write '" + at("none/a.csv").string() +
-                ".part': No such file or directory, expected a folder that is there and where you may write");
+                ".part': No such file or directory: expected a folder that is there and where you may write");
 }
 
 TEST_F(an_output_file, that_does_not_fit_is_told_and_leaves_what_was_there) {

@@ -175,7 +175,7 @@ TEST_F(a_polygon, of_four_corners_that_is_twisted_is_cut_and_counted) {
 TEST_F(a_polygon, that_crosses_itself_is_refused_with_its_line) {
   const auto refused = [](const char* corners) {
     return std::string("a polygon of ") + corners +
-           " corners crosses itself, expected its corners in their order around it; cut it into triangles "
+           " corners crosses itself: expected its corners in their order around it; cut it into triangles "
            "where "
            "the file is made";
   };

@@ -117,7 +117,7 @@ TEST_F(mesh_of_a_file, may_have_vertices_that_are_no_numbers_if_no_face_uses_the
   expect_cube(ph::read_ply(write("b.ply", binary_ply(with_hole))), "binary");
 
   with_hole.facets[2][1] = 3;
-  const std::string wrong = "corner 2 = (0, nan, 1), expected finite coordinates; the file is damaged";
+  const std::string wrong = "corner 2 = (0, nan, 1): expected finite coordinates; the file is damaged";
   EXPECT_EQ(obj_error(obj(with_hole)), "line 13: " + wrong);
   EXPECT_EQ(obj_error(replaced(obj(with_hole), "nan", "-1.#IND")), "line 13: " + wrong);
   EXPECT_NE(obj_error(replaced(obj(with_hole), "nan", "2.#IND")), "line 13: " + wrong);
@@ -130,9 +130,9 @@ TEST_F(mesh_of_a_file, is_read_from_a_regular_file_only) {
   ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
   for (const reader& read : {stl, obj_file, ply}) {
     EXPECT_EQ(error_of(read, folder / "none"), "no such file");
-    EXPECT_EQ(error_of(read, folder), "is a directory, expected a regular file");
-    EXPECT_EQ(error_of(read, folder / "fifo"), "is a FIFO, expected a regular file");
-    EXPECT_EQ(error_of(read, "/dev/zero"), "is a device, expected a regular file");
+    EXPECT_EQ(error_of(read, folder), "is a directory: expected a regular file");
+    EXPECT_EQ(error_of(read, folder / "fifo"), "is a FIFO: expected a regular file");
+    EXPECT_EQ(error_of(read, "/dev/zero"), "is a device: expected a regular file");
   }
 }
 

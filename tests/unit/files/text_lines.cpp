@@ -41,7 +41,7 @@ TEST_F(a_text, may_end_in_many_zero_bytes_if_it_is_whole_all_the_same) {
   }
   EXPECT_EQ(
       obj_error(obj(cube()) + zeros),
-      "line 21: a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, remove such bytes");
+      "line 21: a zero byte or Ctrl-Z: expected text; lines may be lost here: if none is, remove such bytes");
 }
 
 TEST_F(a_text, may_begin_with_the_mark_of_utf_8) {
@@ -53,7 +53,7 @@ TEST_F(a_text, may_begin_with_the_mark_of_utf_8) {
       std::string wide = mark;
       for (const char c : text) wide.append({c, '\0'});
       EXPECT_EQ(error_of(read, write(name, wide)),
-                "text in UTF-16, expected ASCII or UTF-8; save the file in one of these")
+                "text in UTF-16: expected ASCII or UTF-8; save the file in one of these")
           << name;
     }
   }
@@ -64,7 +64,7 @@ TEST_F(a_text, may_end_its_lines_as_old_macs_or_dos_do) {
     for (const char* end : {"\r", "\r\n", "\r\r\n"})
       expect_cube(read(write(name, replaced(text, "\n", end))), name);
   EXPECT_EQ(obj_error("v 0 0 0\rv 1 0 0\rv 0 1 0\r# here\rf 1 2 x\r"),
-            "line 5: 'x', expected the number of a vertex");
+            "line 5: 'x': expected the number of a vertex");
   const auto file = obj_of("# one line of a Mac\rv 0 0 0\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3");
   EXPECT_EQ(file.mesh.facets.size(), 1u);
   for (const auto order : {std::endian::little, std::endian::big}) {
@@ -85,7 +85,7 @@ TEST_F(a_text, may_have_its_keywords_in_capitals) {
     bytes = replaced(bytes, word, in_capitals(word));
   expect_cube(ph::read_ply(write("a.ply", bytes)), "binary");
   EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float X\n"),
-            "line 5: 'x', expected a property of another name");
+            "line 5: 'x': expected a property of another name");
 }
 
 TEST_F(a_text, that_is_no_mesh_is_called_what_it_is) {
@@ -97,14 +97,14 @@ TEST_F(a_text, that_is_no_mesh_is_called_what_it_is) {
   const std::string page = "\xef\xbb\xbf\n<!DOCTYPE html>\n<html>";
   for (const auto& [name, read, text] : text_formats()) {
     EXPECT_EQ(error_of(read, write(name, pointer)),
-              "a Git LFS pointer, not the file, expected what it points to; run `git lfs pull`");
-    EXPECT_EQ(error_of(read, write(name, gzip)), "compressed by gzip, expected the file itself; unpack it");
-    EXPECT_EQ(error_of(read, write(name, zip)), "a ZIP archive, expected the file itself; unpack it");
+              "a Git LFS pointer, not the file: expected what it points to; run `git lfs pull`");
+    EXPECT_EQ(error_of(read, write(name, gzip)), "compressed by gzip: expected the file itself; unpack it");
+    EXPECT_EQ(error_of(read, write(name, zip)), "a ZIP archive: expected the file itself; unpack it");
     EXPECT_EQ(error_of(read, write(name, page)),
-              "an HTML page, not the file, expected the file itself; download that");
+              "an HTML page, not the file: expected the file itself; download that");
   }
   EXPECT_EQ(stl_error("\n" + obj(cube())),
-            "line 2: 'v', expected 'solid'; it was cut off, or is not an STL file");
+            "line 2: 'v': expected 'solid'; it was cut off, or is not an STL file");
 }
 
 // What a standard library without std::from_chars of a double reads instead

@@ -229,22 +229,22 @@ TEST(a_guide, resists_leaving_beyond_its_tolerance_and_does_not_pull_back) {
 TEST(an_effect, says_what_is_wrong_with_its_parameters) {
   constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(validate(ph::wall_friction_parameters<double>{.coefficient = -1}),
-            "coefficient of wall_friction = -1, expected a finite number >= 0");
+            "coefficient of wall_friction = -1: expected a finite number >= 0");
   using guide = ph::guide_parameters<double, 3>;
   EXPECT_EQ(validate(guide{.direction = {0, no_number, 0}}),
-            "|direction| of a guide = nan, expected a direction");
+            "|direction| of a guide = nan: expected a direction");
   EXPECT_EQ(validate(guide{.velocity_dead_band = 0}),
-            "velocity_dead_band of a guide [m/s] = 0, expected a finite number > 0");
+            "velocity_dead_band of a guide [m/s] = 0: expected a finite number > 0");
   using detents = ph::detents_parameters<double, 2>;
   EXPECT_EQ(validate(detents{.spacing = 1}), "");
-  EXPECT_EQ(validate(detents{}), "spacing of detents [m] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(detents{}), "spacing of detents [m] = 0: expected a finite number > 0");
   EXPECT_THROW((ph::detents<double, 2>(detents{})), std::invalid_argument);
 
   ph::viscous_field_parameters<double, 2> field;
   EXPECT_EQ(validate(field), "");
   field.viscosity << 1, 3, 3, 1;
   EXPECT_EQ(validate(field),
-            "viscosity of a viscous_field would drive some motion, expected v . B v >= 0 for all v");
+            "viscosity of a viscous_field would drive some motion: expected v . B v >= 0 for all v");
   field.viscosity << 1, 3, -3, 1;
   EXPECT_EQ(validate(field), "");
 }

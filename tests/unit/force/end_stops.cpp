@@ -49,9 +49,9 @@ TEST(end_stops, say_which_limit_is_wrong) {
   using stops = ph::end_stops_parameters<double, 2>;
   EXPECT_EQ(validate(stops{}), "");
   EXPECT_EQ(validate(stops{.lower = {0, 2}, .upper = {1, 2}}),
-            "lower[1] of end_stops [rad] = 2, expected less than upper[1]");
+            "lower[1] of end_stops [rad] = 2: expected less than upper[1]");
   EXPECT_EQ(validate(stops{.lower = {nan, 2}}),
-            "lower[0] of end_stops [rad] = nan, expected less than upper[0]");
+            "lower[0] of end_stops [rad] = nan: expected less than upper[0]");
 }
 
 }  // namespace

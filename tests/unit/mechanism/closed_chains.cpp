@@ -113,24 +113,24 @@ TEST(closed_chain_parameters, say_which_is_wrong) {
   ph::five_bar_parameters<double, 4> f;
   EXPECT_EQ(validate(f), "");
   f.base_distance = -1;
-  EXPECT_EQ(validate(f), "base_distance [m] = -1, expected a finite number >= 0");
+  EXPECT_EQ(validate(f), "base_distance [m] = -1: expected a finite number >= 0");
   f = {}, f.distal_2 = 0;
-  EXPECT_EQ(validate(f), "distal_2 [m] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(f), "distal_2 [m] = 0: expected a finite number > 0");
   f = {}, f.base_distance = 1;
-  EXPECT_EQ(validate(f), "longest length [m] = 1, expected less than all others together");
+  EXPECT_EQ(validate(f), "longest length [m] = 1: expected less than all others together");
   f = {}, f.proximal_2 = 1;
-  EXPECT_EQ(validate(f), "longest length [m] = 1, expected less than all others together");
+  EXPECT_EQ(validate(f), "longest length [m] = 1: expected less than all others together");
   f = {}, f.rotor_inertia[3] = nan;
-  EXPECT_EQ(validate(f), "rotor_inertia[3] [kg m^2] = nan, expected a finite number >= 0");
+  EXPECT_EQ(validate(f), "rotor_inertia[3] [kg m^2] = nan: expected a finite number >= 0");
   EXPECT_THROW((ph::five_bar<double, 4>(f)), std::invalid_argument);
 
   ph::delta_parameters<double> d;
   EXPECT_EQ(validate(d), "");
   d.forearm = -0.1;
-  EXPECT_EQ(validate(d), "forearm [m] = -0.1, expected a finite number > 0");
+  EXPECT_EQ(validate(d), "forearm [m] = -0.1: expected a finite number > 0");
   d = {}, d.base_radius = 1;
   EXPECT_EQ(validate(d),
-            "base_radius - platform_radius [m] = 0.98, expected less than upper_arm + forearm in magnitude");
+            "base_radius - platform_radius [m] = 0.98: expected less than upper_arm + forearm in magnitude");
   EXPECT_THROW((ph::delta<double>(d)), std::invalid_argument);
 }
 

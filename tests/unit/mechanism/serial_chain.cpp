@@ -206,13 +206,13 @@ TEST(serial_chain, says_which_parameter_is_wrong) {
   EXPECT_EQ(validate(good), "");
   auto p = good;
   p.joints[2].axis.setZero();
-  EXPECT_EQ(validate(p), "joints[2].|axis| = 0, expected a direction");
+  EXPECT_EQ(validate(p), "joints[2].|axis| = 0: expected a direction");
   p = good;
   p.joints[0].point[1] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(validate(p), "joints[0].point[1] [m] = inf, expected a finite number");
+  EXPECT_EQ(validate(p), "joints[0].point[1] [m] = inf: expected a finite number");
   p = good;
   p.handle = ph::serial_chain_parameters<double, 3, 3>().handle;
-  EXPECT_EQ(validate(p), "handle[0] [m] = nan, expected a finite number");
+  EXPECT_EQ(validate(p), "handle[0] [m] = nan: expected a finite number");
   EXPECT_THROW((ph::serial_chain<double, 3, 3>(p)), std::invalid_argument);
 }
 
@@ -220,11 +220,11 @@ TEST(serial_chain, says_which_inertia_is_wrong) {
   using inertia = ph::serial_chain_inertia<double, 3, 3>;
   const inertia good = chains::irregular_chain<double, 3, 3>::inertia();
   EXPECT_EQ(validate(good), "");
-  EXPECT_EQ(validate(inertia()), "links[0].mass [kg] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(inertia()), "links[0].mass [kg] = 0: expected a finite number > 0");
   inertia p = good;
   p.links[1].about_centre(0, 1) += 1;
   EXPECT_EQ(validate(p),
-            "links[1].about_centre [kg m^2] is not finite and symmetric, expected a finite symmetric matrix");
+            "links[1].about_centre [kg m^2] is not finite and symmetric: expected a finite symmetric matrix");
   const auto error_of = [&](double last) {
     p.links[1].about_centre = ph::vector<double, 3>(1, 1, last).asDiagonal();
     return validate(p);
@@ -234,7 +234,7 @@ TEST(serial_chain, says_which_inertia_is_wrong) {
   EXPECT_EQ(validate(p), "") << "a point mass";
   for (const double last : {2.001, -1.0})
     EXPECT_EQ(error_of(last),
-              "links[1].about_centre [kg m^2] has a principal moment over the sum of the other two, "
+              "links[1].about_centre [kg m^2] has a principal moment over the sum of the other two: "
               "expected that of a rigid body");
 }
 

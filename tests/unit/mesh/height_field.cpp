@@ -28,7 +28,7 @@ TEST(a_height_field, says_what_is_wrong_with_its_parameters) {
     change(p);
     return validate(p);
   };
-  const std::string grid = ", expected 2 or more, and at most 2^31 triangles in all";
+  const std::string grid = ": expected 2 or more, and at most 2^31 triangles in all";
   EXPECT_EQ(says([](auto& p) { p.columns = 1; }), "columns of a height_field = 1" + grid);
   EXPECT_EQ(says([](auto& p) { p.rows = -1; }), "rows of a height_field = -1" + grid);
   EXPECT_EQ(says([](auto& p) { p.columns = p.rows = 100'000; }),
@@ -39,18 +39,18 @@ TEST(a_height_field, says_what_is_wrong_with_its_parameters) {
               p.columns = (1 << 15) - 1;
               p.rows = (1 << 15) + 1;
             }),
-            "number of heights of a height_field = 6, expected columns x rows, 1073741823")
+            "number of heights of a height_field = 6: expected columns x rows, 1073741823")
       << "one point less has room";
   EXPECT_EQ(says([](auto& p) { p.spacing_x = 0; }),
-            "spacing_x of a height_field [m] = 0, expected a finite number > 0");
+            "spacing_x of a height_field [m] = 0: expected a finite number > 0");
   EXPECT_EQ(says([](auto& p) { p.spacing_y = -1; }),
-            "spacing_y of a height_field [m] = -1, expected a finite number > 0");
+            "spacing_y of a height_field [m] = -1: expected a finite number > 0");
   EXPECT_EQ(says([](auto& p) { p.heights.pop_back(); }),
-            "number of heights of a height_field = 5, expected columns x rows, 6");
+            "number of heights of a height_field = 5: expected columns x rows, 6");
   EXPECT_EQ(says([](auto& p) { p.heights[4] = INFINITY; }),
-            "heights[4] of a height_field [m] = inf, expected a finite number");
+            "heights[4] of a height_field [m] = inf: expected a finite number");
   EXPECT_EQ(says([](auto& p) { p.origin[2] = std::nan(""); }),
-            "origin[2] of a height_field [m] = nan, expected a finite number");
+            "origin[2] of a height_field [m] = nan: expected a finite number");
   EXPECT_THROW(ph::height_field({}), std::invalid_argument);
   EXPECT_EQ(ph::height_field_parameters().origin, ph::point<3>(0, 0, 0));
 }

@@ -33,14 +33,14 @@ std::string error_after(const Change& change, Parameters p) {
 TEST(mesh_parameters, say_what_is_wrong) {
   EXPECT_EQ(validate(cube()), "");
   EXPECT_EQ(validate(square()), "");
-  EXPECT_EQ(validate(ph::mesh_parameters<3>{}), "a mesh has no facets, expected one or more");
+  EXPECT_EQ(validate(ph::mesh_parameters<3>{}), "a mesh has no facets: expected one or more");
   for (const std::size_t i : {3u, 0u})
     EXPECT_EQ(error_after([i](auto& p) { p.vertices[i][1] = no_number; }, cube()),
-              "vertex " + std::to_string(i) + " of a mesh is not finite, expected metres");
+              "vertex " + std::to_string(i) + " of a mesh is not finite: expected metres");
   for (const int i : {8, -1})
     EXPECT_EQ(error_after([i](auto& p) { p.facets[7][2] = i; }, cube()),
               "facet 7 of a mesh: index of a vertex = " + std::to_string(i) +
-                  ", expected 0 or more and less than 8");
+                  ": expected 0 or more and less than 8");
   const std::string sliver =
       " of a mesh: height by longest edge = 0, expected > 1e-10; remove the facet, without_slivers() does";
   EXPECT_EQ(error_after([](auto& p) { p.facets[7][2] = p.facets[7][0]; }, cube()), "facet 7" + sliver);
@@ -116,24 +116,24 @@ TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
   auto p = cube();
   p.facets.pop_back();  // 3, 7, 5
   EXPECT_EQ(error_of_solid(p),
-            "edge between vertices 3 and 5 of a mesh_solid belongs to facet 10 only, expected a closed "
+            "edge between vertices 3 and 5 of a mesh_solid belongs to facet 10 only: expected a closed "
             "surface; close the hole, or use mesh_surface");
   auto s = square();
   s.facets.pop_back();  // 2, 0
   EXPECT_EQ(error_of_solid(s),
-            "vertex 0 of a mesh_solid belongs to facet 0 only, expected a closed surface; close the hole, or "
+            "vertex 0 of a mesh_solid belongs to facet 0 only: expected a closed surface; close the hole, or "
             "use mesh_surface");
 
   p = cube();
   std::swap(p.facets[1][0], p.facets[1][1]);
   EXPECT_EQ(error_of_solid(p),
-            "edge between vertices 1 and 2 of a mesh_solid: facets 0 and 1 run the same way, expected "
+            "edge between vertices 1 and 2 of a mesh_solid: facets 0 and 1 run the same way: expected "
             "opposite ways; "
             "swap two vertices of one of them");
   s = square();
   std::swap(s.facets[1][0], s.facets[1][1]);
   EXPECT_EQ(error_of_solid(s),
-            "vertex 1 of a mesh_solid: facets 0 and 1 run the same way, expected opposite ways; swap two "
+            "vertex 1 of a mesh_solid: facets 0 and 1 run the same way: expected opposite ways; swap two "
             "vertices of "
             "one of them");
 
@@ -141,7 +141,7 @@ TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
   p.vertices.push_back({0.5, 0.5, 0.5});
   p.facets.push_back({0, 1, 8});
   EXPECT_EQ(error_of_solid(p),
-            "edge between vertices 0 and 1 of a mesh_solid belongs to 3 facets, expected as many that run "
+            "edge between vertices 0 and 1 of a mesh_solid belongs to 3 facets: expected as many that run "
             "one way as "
             "the other; remove what is within the solid");
 

@@ -510,7 +510,7 @@ TEST(mesh_surface, says_what_is_wrong_with_its_parameters) {
   const ph::triangle_mesh m(centred_cube(2));
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m}), "");
   const std::string skin_text =
-      ", expected a finite number > 0 and at least 2e-9, 1e-9 of the largest coordinate";
+      ": expected a finite number > 0 and at least 2e-9, 1e-9 of the largest coordinate";
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-9}),
             "skin of a mesh_surface [m] = 1e-9" + skin_text);
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, not_a_number}),
@@ -518,7 +518,7 @@ TEST(mesh_surface, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, infinity}),
             "skin of a mesh_surface [m] = inf" + skin_text);
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-7, -0.1}),
-            "crease_angle of a mesh_surface [rad] = -0.1, expected 0 or more and less than pi");
+            "crease_angle of a mesh_surface [rad] = -0.1: expected 0 or more and less than pi");
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-7, 0}), "");
   EXPECT_TRUE(
       validate(ph::mesh_surface_parameters<3>{m, 1e-7, std::numbers::pi}).starts_with("crease_angle"));

@@ -130,18 +130,18 @@ TEST(sensor_parameters, are_checked) {
   };
   EXPECT_EQ(encoder({}), "nothing");
   EXPECT_EQ(encoder({.resolution = -1}),
-            "passive_haptics: resolution [rad or m] = -1, expected a finite number >= 0");
+            "passive_haptics: resolution [rad or m] = -1: expected a finite number >= 0");
   EXPECT_EQ(encoder({.rate_corner = -1}),
-            "passive_haptics: rate_corner [Hz] = -1, expected a finite number >= 0");
-  EXPECT_EQ(encoder({}, 0), "passive_haptics: period [s] = 0, expected a finite number > 0");
+            "passive_haptics: rate_corner [Hz] = -1: expected a finite number >= 0");
+  EXPECT_EQ(encoder({}, 0), "passive_haptics: period [s] = 0: expected a finite number > 0");
   const auto sensor = [](ph::force_sensor_parameters p) {
     return thrown_by([&] { ph::force_sensor<double, 2>{p}; });
   };
   EXPECT_EQ(sensor({}), "nothing");
-  EXPECT_EQ(sensor({.corner = -1}), "passive_haptics: corner [Hz] = -1, expected a finite number >= 0");
-  EXPECT_EQ(sensor({.scale = 0}), "passive_haptics: scale [1] = 0, expected a finite number > 0");
+  EXPECT_EQ(sensor({.corner = -1}), "passive_haptics: corner [Hz] = -1: expected a finite number >= 0");
+  EXPECT_EQ(sensor({.scale = 0}), "passive_haptics: scale [1] = 0: expected a finite number > 0");
   EXPECT_EQ(sensor({.noise = std::numeric_limits<double>::infinity()}),
-            "passive_haptics: noise [N] = inf, expected a finite number >= 0");
+            "passive_haptics: noise [N] = inf: expected a finite number >= 0");
 }
 
 template <class T>

@@ -166,9 +166,9 @@ TEST(simulated_device, names_what_is_wrong_with_its_brakes) {
   };
   EXPECT_EQ(error_of([](auto&) {}), "nothing");
   EXPECT_EQ(error_of([](auto& p) { p[1].time_constant = -1; }),
-            "passive_haptics: brakes[1].time_constant [s] = -1, expected a finite number >= 0");
+            "passive_haptics: brakes[1].time_constant [s] = -1: expected a finite number >= 0");
   EXPECT_EQ(error_of([](auto& p) { p[1].residual.drag = -2; }),
-            "passive_haptics: brakes[1].residual.drag [N m s] = -2, expected a finite number >= 0");
+            "passive_haptics: brakes[1].residual.drag [N m s] = -2: expected a finite number >= 0");
 }
 
 // Without current 0.3 N on 0.5 kg: stops after v0 / 0.6 = 1.67 s, and holds less than 0.3 N.

@@ -49,7 +49,7 @@ TEST(wall_following_run, names_a_brake_that_is_not_there) {
   auto e = table<double>();
   const auto released = [](const auto&) { return ph::step_result<ph::xy_table<double>>(); };
   EXPECT_EQ(thrown_by([&] { ph::follow_wall(e.device, released, wall, e.hand, {.watched_brake = 2}); }),
-            "passive_haptics: watched_brake = 2, expected a brake of the device, from 0");
+            "passive_haptics: watched_brake = 2: expected a brake of the device, from 0");
 }
 
 // Figs. 8 and 9: what the paper reports comes out where the limits stand before alpha, the brakes are weak

@@ -66,175 +66,175 @@ bool is_as(const std::string& error, const std::string& expected) {
 constexpr mistake mistakes[] = {
     // mechanism
     {usual, "[mechanism]\ntype = \"five_bra\"",
-     ":2: mechanism.type = 'five_bra', expected one of \"tendon_two_link\", ...; did you mean \"five_bar\"?"},
-    {usual, "mechanism = \"five_bar\"", ":1: mechanism = 'five_bar', expected a table, [mechanism]"},
+     ":2: mechanism.type = 'five_bra': expected one of \"tendon_two_link\", ...; did you mean \"five_bar\"?"},
+    {usual, "mechanism = \"five_bar\"", ":1: mechanism = 'five_bar': expected a table, [mechanism]"},
     {usual, "[mecanism]\ntype = \"five_bar\"",
-     ":1: unknown key 'mecanism', expected one of allow_large, brakes, effects, law, mechanism, scene, "
+     ":1: unknown key 'mecanism': expected one of allow_large, brakes, effects, law, mechanism, scene, "
      "sensor, walls; did you mean \"mechanism\"?"},
     {pantograph, "proximal1 = 0.06",
-     ":3: unknown key 'mechanism.proximal1', expected one of assembly, base_distance, distal_1, distal_2, "
+     ":3: unknown key 'mechanism.proximal1': expected one of assembly, base_distance, distal_1, distal_2, "
      "distal_mass, gravity, handle_mass, proximal_1, proximal_2, proximal_mass, rotor_inertia, type; did you "
      "mean \"proximal_1\"?"},
     {usual, "[mechanism]\nlength_1 = 150",
-     ":2: [mechanism] length_1 [m] = 150, expected at most 100; if it is meant, allow_large = "
+     ":2: [mechanism] length_1 [m] = 150: expected at most 100; if it is meant, allow_large = "
      "[\"length_1\"]"},
-    {usual, "[mechanism]\nlength_1 = -1", ":2: [mechanism] length_1 [m] = -1, expected a finite number > 0"},
+    {usual, "[mechanism]\nlength_1 = -1", ":2: [mechanism] length_1 [m] = -1: expected a finite number > 0"},
     {usual, "[mechanism]\nlength_1 = \"0.15\"",
-     ":2: mechanism.length_1 = '0.15', expected a number: a finite number > 0 [m]"},
+     ":2: mechanism.length_1 = '0.15': expected a number: a finite number > 0 [m]"},
     {usual, "[mechanism]\nlength_1 = [0.15, 0.15]",
-     ":2: mechanism.length_1 = [ 0.15, 0.15 ], expected a number: a finite number > 0 [m]"},
+     ":2: mechanism.length_1 = [ 0.15, 0.15 ]: expected a number: a finite number > 0 [m]"},
     {pantograph, "assembly = \"lft\"",
-     ":3: mechanism.assembly = 'lft', expected one of \"left\", \"right\"; did you mean \"left\"?"},
+     ":3: mechanism.assembly = 'lft': expected one of \"left\", \"right\"; did you mean \"left\"?"},
     {pantograph, "base_distance = 0.5",
-     ":1: [mechanism] longest length [m] = 0.5, expected less than all others together"},
+     ":1: [mechanism] longest length [m] = 0.5: expected less than all others together"},
     {pantograph, "gravity = 9.81",
-     ":3: mechanism.gravity = 9.81, expected 2 numbers: a finite number [m/s^2]"},
+     ":3: mechanism.gravity = 9.81: expected 2 numbers: a finite number [m/s^2]"},
     {pantograph, "rotor_inertia = [1e-4, 1e-4, 1e-4]",
-     ":3: mechanism.rotor_inertia = [ 1e-04, 1e-04, 1e-04 ], expected 2 numbers, or one for all: a finite "
+     ":3: mechanism.rotor_inertia = [ 1e-04, 1e-04, 1e-04 ]: expected 2 numbers, or one for all: a finite "
      "number >= 0 [kg m^2]"},
     {chain, "[[mechanism.joints]]\npoint = [0, 0]\n[[mechanism.joints]]\npoint = [0.1, 0]",
-     ":4: mechanism.joints = [ a table, a table ], expected 3 tables, [[mechanism.joints]] each"},
+     ":4: mechanism.joints = [ a table, a table ]: expected 3 tables, [[mechanism.joints]] each"},
     {arm, "kind = \"prismtic\"",
-     ":10: mechanism.joints[2].kind = 'prismtic', expected one of \"revolute\", \"prismatic\"; did you mean "
+     ":10: mechanism.joints[2].kind = 'prismtic': expected one of \"revolute\", \"prismatic\"; did you mean "
      "\"prismatic\"?"},
     {arm, "points = [0.2, 0]",
-     ":10: unknown key 'mechanism.joints[2].points', expected one of axis, kind, point; did you mean "
+     ":10: unknown key 'mechanism.joints[2].points': expected one of axis, kind, point; did you mean "
      "\"point\"?"},
-    {arm, "kind = \"prismatic\"", ":8: [mechanism] joints[2].|axis| = 0, expected a direction"},
+    {arm, "kind = \"prismatic\"", ":8: [mechanism] joints[2].|axis| = 0: expected a direction"},
     {usual,
      "[mechanism]\ntype = \"planar_chain_3\"\n[[mechanism.joints]]\npoint = [0, "
      "0]\n[[mechanism.joints]]\npoint = [0.1, 0]\n[[mechanism.joints]]\npoint = [0.2, 0]\n",
-     ":1: [mechanism] handle[0] [m] = nan, expected a finite number"},
+     ":1: [mechanism] handle[0] [m] = nan: expected a finite number"},
     // brakes
     {usual, "[brakes]\ntorque_limit = [1, -1]",
-     ":2: [brakes] torque_limit[1] [N m] = -1, expected a finite number >= 0"},
+     ":2: [brakes] torque_limit[1] [N m] = -1: expected a finite number >= 0"},
     {in_space, "[brakes]\ntorque_limit = [1, 1]",
-     ":4: brakes.torque_limit = [ 1, 1 ], expected 3 numbers, or one for all: a finite number >= 0 [N m]"},
+     ":4: brakes.torque_limit = [ 1, 1 ]: expected 3 numbers, or one for all: a finite number >= 0 [N m]"},
     {usual, "[brakes]\ntorqe_limit = 1",
-     ":2: unknown key 'brakes.torqe_limit', expected one of model, rate_dead_band, time_constant, "
+     ":2: unknown key 'brakes.torqe_limit': expected one of model, rate_dead_band, time_constant, "
      "torque_dead_band, torque_limit, torque_lower, torque_upper; did you mean \"torque_limit\"?"},
     {usual, "[brakes]\ntime_constant = 20",
-     ":2: [brakes] time_constant[0] [s] = 20, expected at most 1; if it is meant, allow_large = "
+     ":2: [brakes] time_constant[0] [s] = 20: expected at most 1; if it is meant, allow_large = "
      "[\"time_constant\"]"},
     {usual, "[brakes]\ntorque_upper = -1",
-     ":2: [brakes] torque_upper[0] [N m] = -1, expected a number >= 0, or inf for no bound"},
+     ":2: [brakes] torque_upper[0] [N m] = -1: expected a number >= 0, or inf for no bound"},
     {usual, "[[brakes.model]]\ntype = \"magnetorheological\"",
-     ":1: brakes.model = [ a table ], expected 2 tables [[brakes.model]], one for each brake of a "
+     ":1: brakes.model = [ a table ]: expected 2 tables [[brakes.model]], one for each brake of a "
      "tendon_two_link"},
     {usual, "[[brakes.model]]\ntype = \"magnetoreological\"",
-     ":2: brakes.model[0].type = 'magnetoreological', expected one of \"coulomb\", ...; did you mean "
+     ":2: brakes.model[0].type = 'magnetoreological': expected one of \"coulomb\", ...; did you mean "
      "\"magnetorheological\"?"},
     {usual, "[[brakes.model]]\ntorque_limits = 0.3\n[[brakes.model]]",
-     ":2: unknown key 'brakes.model[0].torque_limits', expected one of drag, fall_ratio, gain, strength, "
+     ":2: unknown key 'brakes.model[0].torque_limits': expected one of drag, fall_ratio, gain, strength, "
      "time_constant, torque_limit, type; did you mean \"torque_limit\"?"},
     {arm, "[brakes]\ntorque_lower = 0",
-     ":11: [brakes] brakes have a torque_lower or torque_upper, expected none: a controller of a mechanism "
+     ":11: [brakes] brakes have a torque_lower or torque_upper: expected none: a controller of a mechanism "
      "with more joints than task dimensions supports such brakes only in C++"},
     // law
     {usual, "law = \"direct_control\"",
-     ":1: law = 'direct_control', expected a table, [law], with type = \"...\": the key was renamed"},
+     ":1: law = 'direct_control': expected a table, [law], with type = \"...\": the key was renamed"},
     {usual, "[law]\ntype = \"direct\"",
-     ":2: law.type = 'direct', expected one of \"velocity_direct_control\", ...; did you mean "
+     ":2: law.type = 'direct': expected one of \"velocity_direct_control\", ...; did you mean "
      "\"direct_control\"?"},
     {arm, "[law]\ntype = \"velocity_direct_control\"",
-     ":11: law.type = 'velocity_direct_control', expected one of \"on_off_control\", \"direct_control\", "
+     ":11: law.type = 'velocity_direct_control': expected one of \"on_off_control\", \"direct_control\", "
      "\"saturated_direct_control\", \"no_direct_control\": velocity_direct_control needs inertia, which a "
      "planar_chain_3 does not have"},
     {usual, "[law]\ntype = \"direct_control\"\n[sensor]\ntype = \"none\"",
-     ":2: law.type = 'direct_control', expected one of \"on_off_control\", \"no_direct_control\": "
+     ":2: law.type = 'direct_control': expected one of \"on_off_control\", \"no_direct_control\": "
      "direct_control needs a hand force, and [sensor] has type = \"none\""},
     {usual, "[law]\ntype = \"no_direct_control\"\nvelocity_dead_band = 0.01",
-     ":3: unknown key 'law.velocity_dead_band', expected one of limits, max_approximation_angle, type"},
+     ":3: unknown key 'law.velocity_dead_band': expected one of limits, max_approximation_angle, type"},
     {usual, "[law]\nlimits = \"clamp\"",
-     ":2: law.limits = 'clamp', expected one of \"keep_direction\", \"clamp_each\"; did you mean "
+     ":2: law.limits = 'clamp': expected one of \"keep_direction\", \"clamp_each\"; did you mean "
      "\"clamp_each\"?"},
     {usual, "[law]\nmax_approximation_angle = 89",
-     ":2: [law] max_approximation_angle [rad] = 89, expected an angle > 0 and <= pi/2"},
+     ":2: [law] max_approximation_angle [rad] = 89: expected an angle > 0 and <= pi/2"},
     {usual, "[law]\ntype = \"on_off_control\"\nlead = -0.02",
-     ":3: [law] lead [s] = -0.02, expected a finite number >= 0"},
+     ":3: [law] lead [s] = -0.02: expected a finite number >= 0"},
     {usual, "[law]\ntype = \"direct_control\"\ntype = \"on_off_control\"",
      ":3: Error while parsing key-value pair: cannot redefine existing string 'type'"},
     // walls
-    {usual, "[[wall]]\nnormal = [0, 1]", ":1: wall = [ a table ], expected [[walls]]: the key was renamed"},
-    {usual, "[walls]\nnormal = [0, 1]", ":1: walls = a table, expected tables, [[walls]] each"},
+    {usual, "[[wall]]\nnormal = [0, 1]", ":1: wall = [ a table ]: expected [[walls]]: the key was renamed"},
+    {usual, "[walls]\nnormal = [0, 1]", ":1: walls = a table: expected tables, [[walls]] each"},
     {usual, "[[walls]]\ntype = \"plane\"",
-     ":2: walls[0].type = 'plane', expected \"half_space\": the shape was renamed"},
+     ":2: walls[0].type = 'plane': expected \"half_space\": the shape was renamed"},
     {usual, "[[walls]]\npoint = [0, 0.2]",
-     ":2: walls[0].point = [ 0, 0.2 ], expected surface_point: the key was renamed"},
+     ":2: walls[0].point = [ 0, 0.2 ]: expected surface_point: the key was renamed"},
     {usual, "[[walls]]\ntype = \"ball\"\nradius = 0.03\nfilling = \"hollow\"",
-     ":4: walls[0].filling = 'hollow', expected inside: the key was renamed"},
+     ":4: walls[0].filling = 'hollow': expected inside: the key was renamed"},
     {usual, "[[walls]]\n[[walls]]\nsurface_point = [0, 0.2]\nnormal = [0, 0]",
-     ":4: [walls[1]] |normal| of a half_space = 0, expected a direction"},
+     ":4: [walls[1]] |normal| of a half_space = 0: expected a direction"},
     {in_space, "[[walls]]\nsurface_point = [0, 0]\nnormal = [0, 0, 1]",
-     ":4: walls[0].surface_point = [ 0, 0 ], expected 3 numbers: a finite number [m]"},
+     ":4: walls[0].surface_point = [ 0, 0 ]: expected 3 numbers: a finite number [m]"},
     {usual, "[[walls]]\ntype = \"mesh_surface\"",
-     ":2: walls[0].type = 'mesh_surface', expected one of \"half_space\", ...; the mechanism moves in the "
+     ":2: walls[0].type = 'mesh_surface': expected one of \"half_space\", ...; the mechanism moves in the "
      "plane"},
     {in_space, "[[walls]]\ntype = \"mesh_surface\"\nfile = \"nothing.stl\"",
      ":5: [walls[0]] mesh file nothing.stl: no such file"},
     {in_space, "[[walls]]\ntype = \"mesh_surface\"\nfile = \"part.step\"",
-     ":5: [walls[0]] file = \"part.step\", expected a mesh, a .stl, .ply or .obj"},
+     ":5: [walls[0]] file = \"part.step\": expected a mesh, a .stl, .ply or .obj"},
     {usual, "[[walls]]\nstiffness = -1",
-     ":2: [walls[0]] stiffness of a wall [N/m] = -1, expected a finite number >= 0"},
+     ":2: [walls[0]] stiffness of a wall [N/m] = -1: expected a finite number >= 0"},
     {usual, "[[walls]]\nstiffness = 1e300",
-     ":2: [walls[0]] stiffness of a wall [N/m] = 1e300, expected at most 1e15; if it is meant, allow_large = "
+     ":2: [walls[0]] stiffness of a wall [N/m] = 1e300: expected at most 1e15; if it is meant, allow_large = "
      "[\"stiffness\"]"},
     {usual, "[[walls]]\ntype = \"ball\"",
-     ":1: [walls[0]] radius of a ball [m] = 0, expected a finite number > 0"},
+     ":1: [walls[0]] radius of a ball [m] = 0: expected a finite number > 0"},
     {usual, "[[walls]]\ntype = \"convex_polygon\"\ncorners = [[0, 0], [1, 0]]",
-     ":3: [walls[0]] number of corners of a convex_polygon = 2, expected 3 to 8"},
+     ":3: [walls[0]] number of corners of a convex_polygon = 2: expected 3 to 8"},
     {usual, "[[walls]]\ntype = \"convex_polygon\"\ncorners = [[0, 0], [1, 0], [0, 1, 2]]",
-     ":3: walls[0].corners = [ [ 0, 0 ], [ 1, 0 ], [ 0, 1, 2 ] ], expected a list of points of 2 numbers "
+     ":3: walls[0].corners = [ [ 0, 0 ], [ 1, 0 ], [ 0, 1, 2 ] ]: expected a list of points of 2 numbers "
      "each: a finite number [m]"},
     {usual, "[[walls]]\ntype = \"box\"\nhalf_extents = [0.1, 0.1]\naxes = [1, 0, 0, 1]",
-     ":4: walls[0].axes = [ 1, 0, 0, 1 ], expected 2 rows of 2 numbers: a finite number [1]"},
+     ":4: walls[0].axes = [ 1, 0, 0, 1 ]: expected 2 rows of 2 numbers: a finite number [1]"},
     {usual, "[[walls]]\ntype = \"box\"\nhalf_extents = [0.1, 0.1]\naxes = [[1, 0], [1, 1]]",
-     ":4: [walls[0]] |axes^T axes - I| of a box = 1, expected orthonormal columns"},
+     ":4: [walls[0]] |axes^T axes - I| of a box = 1: expected orthonormal columns"},
     {usual, "[[walls]]\ntype = \"offset\"\ngrowth = 0.01\n[walls.of]\ntype = \"bal\"\nradius = 0.1",
-     ":5: walls[0].of.type = 'bal', expected one of \"half_space\", ...; the mechanism is planar; "
+     ":5: walls[0].of.type = 'bal': expected one of \"half_space\", ...; the mechanism is planar; "
      "did you mean \"ball\"?"},
     {usual, "[[walls]]\ntype = \"offset\"\n[walls.of]\ntype = \"ball\"\nradius = 0.1\nstiffness = 5",
-     ":6: unknown key 'walls[0].of.stiffness', expected one of centre, inside, radius, type"},
+     ":6: unknown key 'walls[0].of.stiffness': expected one of centre, inside, radius, type"},
     {in_space, "[[walls]]\ntype = \"complement\"\n[walls.of]\ntype = \"mesh_surface\"\nfile = \"part.stl\"",
-     ":5: [walls[0]] of = \"mesh_surface\", expected a shape with an inside"},
+     ":5: [walls[0]] of = \"mesh_surface\": expected a shape with an inside"},
     {usual, "[[walls]]\n[walls.motion]\nfrequency = -1",
-     ":3: [walls[0].motion] frequency of a wall's motion [Hz] = -1, expected a finite number >= 0"},
+     ":3: [walls[0].motion] frequency of a wall's motion [Hz] = -1: expected a finite number >= 0"},
     {usual, "[[walls]]\n[walls.motion]\namplitude = [0, 0.01]",
      ":2: [walls[0].motion] frequency of a wall's motion [Hz] = 0, expected > 0 with an amplitude"},
     {usual, "[[walls]]\n[walls.motion]\nbelt_velocity = 0.1",
-     ":3: walls[0].motion.belt_velocity = 0.1, expected 2 numbers: a finite number [m/s]"},
+     ":3: walls[0].motion.belt_velocity = 0.1: expected 2 numbers: a finite number [m/s]"},
     {usual, "[[walls]]\n[walls.motoin]\nfrequency = 1",
-     ":2: unknown key 'walls[0].motoin', expected one of motion, normal, stiffness, surface_point, type; did "
+     ":2: unknown key 'walls[0].motoin': expected one of motion, normal, stiffness, surface_point, type; did "
      "you mean \"motion\"?"},
     {usual, "[[walls]]\ntype = \"convex_polytope\"\n[[walls.faces]]\nnormal = [0, 1]",
-     ":3: [walls[0]] number of faces of a convex_polytope = 1, expected 2 to 4"},
+     ":3: [walls[0]] number of faces of a convex_polytope = 1: expected 2 to 4"},
     {usual, "[[walls]]\ntype = \"convex_polytope\"\n[[walls.faces]]\nnormal = [0, 0]",
-     ":4: [walls[0]] |faces[0].normal| of a half_space = 0, expected a direction"},
+     ":4: [walls[0]] |faces[0].normal| of a half_space = 0: expected a direction"},
     {in_space,
      "[[walls]]\ntype = \"height_field\"\nfile = \"nothing.txt\"\nspacing_x = 1e-3\nspacing_y = 1e-3",
      ":5: [walls[0]] file nothing.txt: no such file"},
     {usual, "[scene]\nperiod = -0.05",
-     ":2: [scene] period of a held_scene [s] = -0.05, expected a finite number >= 0"},
-    {usual, "[scene]\nrate = 20", ":2: unknown key 'scene.rate', expected one of period"},
+     ":2: [scene] period of a held_scene [s] = -0.05: expected a finite number >= 0"},
+    {usual, "[scene]\nrate = 20", ":2: unknown key 'scene.rate': expected one of period"},
     // effects
     {usual, "[[effects]]\nstrength = 2",
-     ":1: effects[0].type is missing, expected one of \"viscous_field\", ...; the mechanism moves in the "
+     ":1: effects[0].type is missing: expected one of \"viscous_field\", ...; the mechanism moves in the "
      "plane"},
     {usual, "[[effects]]\ntype = \"detent\"",
-     ":2: effects[0].type = 'detent', expected one of \"viscous_field\", ...; the mechanism moves in the "
+     ":2: effects[0].type = 'detent': expected one of \"viscous_field\", ...; the mechanism moves in the "
      "plane; did you mean \"detents\"?"},
     {usual, "[[effects]]\ntype = \"detents\"\nspacing = 0\n[law]\ntype = \"direct_control\"",
-     ":3: [effects[0]] spacing of detents [m] = 0, expected a finite number > 0"},
+     ":3: [effects[0]] spacing of detents [m] = 0: expected a finite number > 0"},
     {usual,
      "[[effects]]\ntype = \"detents\"\nspacing = 0.01\nstrength = 1\n[law]\ntype = "
      "\"velocity_direct_control\"",
-     ":1: scene with effects, expected one without: they need direct_control, and "
+     ":1: scene with effects: expected one without: they need direct_control, and "
      "a mechanism with as many joints and brakes as task dimensions"},
     {usual, "[[effects]]\ntype = \"viscous_field\"\nviscosity = 5",
-     ":3: effects[0].viscosity = 5, expected 2 rows of 2 numbers: a finite number [N s/m]"},
+     ":3: effects[0].viscosity = 5: expected 2 rows of 2 numbers: a finite number [N s/m]"},
     // the whole
     {usual, "allow_large = [\"length_1\"]\n[mechanism]\nlength_1 = 0.15",
-     ":1: allow_large = [\"length_1\"], expected keys of values that no device has; remove it"},
+     ":1: allow_large = [\"length_1\"]: expected keys of values that no device has; remove it"},
     {usual, "[mechanism\ntype = \"five_bar\"",
      ":1: Error while parsing table header: expected ']', saw '\\n'"},
 };

@@ -373,47 +373,47 @@ TEST(a_slot, is_free_between_its_walls) {
 TEST(a_shape, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{0, 0}, {1, 0}, 0.1}), "");
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{no_number, 0}, {1, 0}, 0.1}),
-            "from[0] of a capsule [m] = nan, expected a finite number");
+            "from[0] of a capsule [m] = nan: expected a finite number");
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{0, 0}, {infinity, 0}, 0.1}),
-            "to[0] of a capsule [m] = inf, expected a finite number");
+            "to[0] of a capsule [m] = inf: expected a finite number");
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{-1e308, 0}, {1e308, 0}, 0.1}),
-            "length of a capsule [m] = inf, expected a finite number");
+            "length of a capsule [m] = inf: expected a finite number");
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{0, 0}, {1, 0}, -1}),
-            "radius of a capsule [m] = -1, expected a finite number >= 0");
+            "radius of a capsule [m] = -1: expected a finite number >= 0");
 
-  EXPECT_EQ(validate(ph::ball_parameters<2>()), "radius of a ball [m] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(ph::ball_parameters<2>()), "radius of a ball [m] = 0: expected a finite number > 0");
   EXPECT_EQ(validate(ph::box_parameters<2>{{0, 0}, {1, 0}}), "");
   EXPECT_EQ(validate(ph::box_parameters<2>{{0, no_number}, {1, 0}}),
-            "centre[1] of a box [m] = nan, expected a finite number");
+            "centre[1] of a box [m] = nan: expected a finite number");
   EXPECT_EQ(validate(ph::box_parameters<2>{{0, 0}, {1, -2}}),
-            "half_extents[1] of a box [m] = -2, expected a finite number >= 0");
+            "half_extents[1] of a box [m] = -2: expected a finite number >= 0");
   ph::box_parameters<2> skew{{0, 0}, {1, 1}};
   skew.axes << 1, 0.25, 0, 1;
-  EXPECT_EQ(validate(skew), "|axes^T axes - I| of a box = 0.25, expected orthonormal columns");
+  EXPECT_EQ(validate(skew), "|axes^T axes - I| of a box = 0.25: expected orthonormal columns");
   for (const double bend : {9e-6, 1.1e-5}) {
     skew.axes << 1, bend, 0, 1;
     EXPECT_EQ(validate(skew).empty(), bend < 1e-5) << "six digits";
   }
   skew.axes(0, 0) = no_number;
-  EXPECT_EQ(validate(skew), "axes(0, 0) of a box [1] = nan, expected a finite number");
+  EXPECT_EQ(validate(skew), "axes(0, 0) of a box [1] = nan: expected a finite number");
 
   using triangle = ph::convex_polygon_parameters<3>;
   EXPECT_EQ(validate(triangle{{{{0, 0}, {1, 0}, {0, 1}}}}), "");
   EXPECT_EQ(validate(triangle{{{{0, 0}, {no_number, 0}, {0, 1}}}}),
-            "corners[1][0] of a convex_polygon [m] = nan, expected a finite number");
+            "corners[1][0] of a convex_polygon [m] = nan: expected a finite number");
   EXPECT_EQ(validate(triangle{{{{0, 0}, {1, 0}, {0, 0}}}}),
-            "corner 2 of a convex_polygon equals the next one, expected distinct corners");
+            "corner 2 of a convex_polygon equals the next one: expected distinct corners");
   EXPECT_EQ(validate(triangle{{{{0, 0}, {1, 0}, {2, 0}}}}),
             "area of a convex_polygon [m^2] = 0, expected > 0");
   using quadrilateral = ph::convex_polygon_parameters<4>;
   EXPECT_EQ(validate(quadrilateral{{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}}),
-            "corner 3 of a convex_polygon lies outside the edge after corner 1, expected a convex polygon");
+            "corner 3 of a convex_polygon lies outside the edge after corner 1: expected a convex polygon");
   EXPECT_EQ(validate(quadrilateral{{{{4, 0}, {1, 1}, {0, 4}, {0, 0}}}}),
-            "corner 2 of a convex_polygon lies outside the edge after corner 0, expected a convex polygon");
+            "corner 2 of a convex_polygon lies outside the edge after corner 0: expected a convex polygon");
   EXPECT_EQ(validate(quadrilateral{{{{0, 4}, {0, 0}, {4, 0}, {1, 1}}}}),
-            "corner 0 of a convex_polygon lies outside the edge after corner 2, expected a convex polygon");
+            "corner 0 of a convex_polygon lies outside the edge after corner 2: expected a convex polygon");
   EXPECT_EQ(validate(quadrilateral{{{{0, 0}, {0, 0}, {1, 0}, {0, 1}}}}),
-            "corner 0 of a convex_polygon equals the next one, expected distinct corners");
+            "corner 0 of a convex_polygon equals the next one: expected distinct corners");
   EXPECT_EQ(validate(quadrilateral{{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}}),
             "area of a convex_polygon [m^2] = 0, expected > 0")
       << "one loop each way round";
@@ -428,22 +428,22 @@ TEST(a_shape, says_what_is_wrong_with_its_parameters) {
   using slab = ph::convex_polytope_parameters<2, 2>;
   EXPECT_EQ(validate(slab{{{{{1, 0}, {1, 0}}, {{0, 0}, {-1, 0}}}}}), "");
   EXPECT_EQ(validate(slab{{{{{1, 0}, {1, 0}}, {{0, 0}, {0, 0}}}}}),
-            "|faces[1].normal| of a half_space = 0, expected a direction");
+            "|faces[1].normal| of a half_space = 0: expected a direction");
   EXPECT_EQ(validate(slab{{{{{1, 0}, {-1, 0}}, {{0, 0}, {1, 0}}}}}),
-            "faces of a convex_polytope have no common inside, expected normals that point out of it");
+            "faces of a convex_polytope have no common inside: expected normals that point out of it");
   EXPECT_EQ(error_of([] {
               ph::convex_polytope(ph::half_space<3>({0, 0, 5}, {1, 2, 3}),
                                   ph::half_space<3>({0, 0, 6}, {-1, -2, -3}));
             }),
-            "passive_haptics: faces of a convex_polytope have no common inside, expected normals that point "
+            "passive_haptics: faces of a convex_polytope have no common inside: expected normals that point "
             "out of it");
 
   EXPECT_EQ(error_of([] { ph::offset(ph::disc({0, 0}, 1), no_number); }),
-            "passive_haptics: growth of an offset [m] = nan, expected a finite number");
+            "passive_haptics: growth of an offset [m] = nan: expected a finite number");
   EXPECT_EQ(error_of([] { ph::slot<2>({0, 0}, {1, 0}, -1); }),
-            "passive_haptics: half_width of a slot [m] = -1, expected a finite number >= 0");
+            "passive_haptics: half_width of a slot [m] = -1: expected a finite number >= 0");
   EXPECT_EQ(error_of([] { ph::slot<2>({0, 0}, {0, 0}, 1); }),
-            "passive_haptics: |normal| of a half_space = 0, expected a direction");
+            "passive_haptics: |normal| of a half_space = 0: expected a direction");
   EXPECT_EQ(error_of([] { ph::tube<2>({0, 0}, {1, 0}, -1); }),
-            "passive_haptics: radius of a capsule [m] = -1, expected a finite number >= 0");
+            "passive_haptics: radius of a capsule [m] = -1: expected a finite number >= 0");
 }

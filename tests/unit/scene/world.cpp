@@ -284,7 +284,7 @@ TEST(a_world, refuses_a_wall_that_is_nowhere) {
        {ph::bounding_box<2>{{0, 1}, {1, 0}}, {{1, 0}, {0, 1}}, {{nan, 0}, {1, 1}}, {{0, 0}, {1, nan}}})
     EXPECT_EQ(
         said_of(bad),
-        "bounds of wall 1 of a world are not lower <= upper, expected a box of finite or infinite metres");
+        "bounds of wall 1 of a world are not lower <= upper: expected a box of finite or infinite metres");
   ph::world_walls<2> given;
   given.add(ph::any_wall<2>(ph::wall(ph::ball<2>({0, 0}, 1)), ph::box_about<2>({0, 0}, -1)));
   EXPECT_THROW(ph::world<2>{given}, std::invalid_argument);

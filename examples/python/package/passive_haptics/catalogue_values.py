@@ -24,7 +24,7 @@ class catalogue_value(value):
 
     def __init__(self, given: dict[str, Any], dimension: int = 0) -> None:
         if not hasattr(type(self), "_name"):
-            raise TypeError(f"passive_haptics: {type(self).__name__} is a base class, expected one that derives from it")
+            raise TypeError(f"passive_haptics: {type(self).__name__} is a base class: expected one that derives from it")
         parameters = {key: of for key, of in given.items() if of is not None and key not in ("self", "__class__")}
         self._named = _native.named(self._list, self._name, dimension, parameters)
         self._parameters = self._named.parameters()
@@ -62,7 +62,7 @@ class _in_a_dimension(catalogue_value):
                 if len(of) and isinstance(of[0], dict):
                     return self._dimension_of(of[0])
                 if len(of) not in self._dimensions:
-                    raise ValueError(f"passive_haptics: length of {key} of {self._name} = {len(of)}, expected 2 or 3")
+                    raise ValueError(f"passive_haptics: length of {key} of {self._name} = {len(of)}: expected 2 or 3")
                 return len(of)
         names = ", ".join(key for key in given if key not in ("self", "__class__"))
         raise TypeError(f"passive_haptics: {self._name} needs a vector of 2 or 3 numbers among {names}")
@@ -100,7 +100,7 @@ class shape_of_shape(shape):
         self._of = of
         given = {key: each for key, each in given.items() if key not in ("self", "__class__", "shape")}
         if not isinstance(of, shape):
-            raise TypeError(f"passive_haptics: shape = {of!r} ({type(of).__name__}), expected a shape such as half_space(...)")
+            raise TypeError(f"passive_haptics: shape = {of!r} ({type(of).__name__}): expected a shape such as half_space(...)")
         catalogue_value.__init__(self, given, of.dimension)
         self._parameters = {"shape": of, **self._parameters}
 
@@ -131,10 +131,10 @@ class hand(parameter_table):
         super().__init__({key: of for key, of in given.items() if key not in ("direction", "start")})
         way, first = np.array(direction, dtype=float), np.array(start, dtype=float)
         if first.shape != way.shape or way.shape not in ((2,), (3,)):
-            text = f"length of start = {first.size}, expected {way.size}, as direction has, 2 or 3"
+            text = f"length of start = {first.size}: expected {way.size}, as direction has, 2 or 3"
             raise ValueError(f"passive_haptics: {text}")
         if not 0 < np.linalg.norm(way) < np.inf:
-            text = f"direction of a {self._name} = {way.tolist()}, expected a direction of finite length > 0"
+            text = f"direction of a {self._name} = {way.tolist()}: expected a direction of finite length > 0"
             raise ValueError(f"passive_haptics: {text}")
         self._parameters = {"direction": way.tolist(), "start": first.tolist(), **self._parameters}
 

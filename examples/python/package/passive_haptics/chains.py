@@ -15,7 +15,7 @@ from passive_haptics.results import status
 def planar_arm(lengths: collections.abc.Sequence[float]) -> serial_chain:
     """A planar arm of two to four revolute joints, all its links [m] along x in the zero pose."""
     if len(lengths) not in (2, 3, 4):
-        raise ValueError(f"passive_haptics: length of lengths = {len(lengths)}, expected 2, 3 or 4")
+        raise ValueError(f"passive_haptics: length of lengths = {len(lengths)}: expected 2, 3 or 4")
     joints, reached = [], 0.0
     for length in lengths:
         joints.append({"point": [reached, 0.0]})
@@ -46,7 +46,7 @@ def nearest_pose(mechanism: mechanism, x: Numbers, start: Numbers) -> tuple[Arra
     MOST_STEPS, ROUNDING, LEAST_DAMPING = 200, 1e-14, 1e-12
     target, q = np.array(x, dtype=float), np.array(start, dtype=float)
     if target.shape != (mechanism.task_dimension,):
-        raise ValueError(f"passive_haptics: shape of x = {target.shape}, expected ({mechanism.task_dimension},)")
+        raise ValueError(f"passive_haptics: shape of x = {target.shape}: expected ({mechanism.task_dimension},)")
     error = target - mechanism.position(q)
     if not np.isfinite(error).all():
         return q, status.state_not_finite

@@ -32,10 +32,10 @@ class batch_result:
     def __getattr__(self, name: str) -> Array:
         if name in FIELDS:
             raise AttributeError(
-                f"passive_haptics: {name} of a batch_result was not asked for, expected one of {', '.join(vars(self))}; "
+                f"passive_haptics: {name} of a batch_result was not asked for: expected one of {', '.join(vars(self))}; "
                 f"call batch(..., fields=[{name!r}])"
             )
-        raise AttributeError(f"passive_haptics: a batch_result has no {name}, expected one of {', '.join(vars(self))}")
+        raise AttributeError(f"passive_haptics: a batch_result has no {name}: expected one of {', '.join(vars(self))}")
 
     def __len__(self) -> int:
         """N."""
@@ -83,7 +83,7 @@ class controller(value):
         expect(law, _law, "law", "a law such as direct_control()")
         if scene.dimension != mechanism.task_dimension:
             raise ValueError(
-                f"passive_haptics: scene has dimension {scene.dimension}, expected {mechanism.task_dimension}, the task "
+                f"passive_haptics: scene has dimension {scene.dimension}: expected {mechanism.task_dimension}, the task "
                 "dimension of the mechanism"
             )
         given = {"limits": limits}
@@ -128,11 +128,11 @@ class controller(value):
         """
         n, d, m = self._held.sizes()
         if np.ndim(q) != 2 or np.shape(q)[1] != n:
-            raise ValueError(f"passive_haptics: shape of q = {np.shape(q)}, expected (N, {n}), a row for each state")
+            raise ValueError(f"passive_haptics: shape of q = {np.shape(q)}: expected (N, {n}), a row for each state")
         states = np.shape(q)[0]
         for name, given in (("qd", qd), ("hand_force", hand_force)):
             if given is not None and (np.ndim(given) != 2 or np.shape(given)[0] != states):
-                raise ValueError(f"passive_haptics: shape of {name} = {np.shape(given)}, expected {states} rows, as q has")
+                raise ValueError(f"passive_haptics: shape of {name} = {np.shape(given)}: expected {states} rows, as q has")
         if out is not None:
             expect(out, batch_result, "out", "what batch() returned for as many states")
         wanted = self._wanted(fields, out)
@@ -144,15 +144,15 @@ class controller(value):
             stored[name] = arrays[name] if name in arrays else np.empty(shape, _KINDS.get(name, "f8"))
             if stored[name].shape != shape:
                 raise ValueError(
-                    f"passive_haptics: shape of out.{name} = {stored[name].shape}, expected {shape}: pass a result of as many "
+                    f"passive_haptics: shape of out.{name} = {stored[name].shape}: expected {shape}: pass a result of as many "
                     "states of this device"
                 )
             if not stored[name].flags.writeable:
-                raise ValueError(f"passive_haptics: out.{name} is read-only, expected an array that can be written")
+                raise ValueError(f"passive_haptics: out.{name} is read-only: expected an array that can be written")
             for input_name, given in (("q", q), ("qd", qd), ("hand_force", hand_force), ("time", time)):
                 if out is not None and given is not None and np.may_share_memory(given, stored[name]):
                     raise ValueError(
-                        f"passive_haptics: {input_name} shares memory with out.{name}, expected other memory: pass "
+                        f"passive_haptics: {input_name} shares memory with out.{name}: expected other memory: pass "
                         f"{input_name}.copy()"
                     )
         self._held.batch(q, qd, hand_force, time, stored)
@@ -166,11 +166,11 @@ class controller(value):
         if fields is None:
             return [*FIELDS] if out is None else [name for name in FIELDS if name in vars(out)]
         if isinstance(fields, str):
-            raise TypeError(f"passive_haptics: fields = {fields!r} (str), expected a list of names, [{fields!r}]")
+            raise TypeError(f"passive_haptics: fields = {fields!r} (str): expected a list of names, [{fields!r}]")
         names = list(fields)
         for name in names:
             if name not in FIELDS:
-                raise ValueError(f"passive_haptics: fields has {name!r}, expected names among {', '.join(FIELDS)}")
+                raise ValueError(f"passive_haptics: fields has {name!r}: expected names among {', '.join(FIELDS)}")
         return [name for name in FIELDS if name in (*names, "capacity", "outcome")]
 
     def set_brakes(self, brakes: brakes) -> None:

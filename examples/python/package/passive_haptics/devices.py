@@ -110,7 +110,7 @@ class mechanism(catalogue_value):
             return _native.named.unlimited_brakes(self.brake_count) if unlimited else self.brakes()._held
         expected = "what brakes() of the mechanism returns, for its number of brakes"
         if expect(given, Brakes, "brakes", expected).count != self.brake_count:
-            raise TypeError(f"passive_haptics: brakes = {given.count} of them, expected {expected}, {self.brake_count}")
+            raise TypeError(f"passive_haptics: brakes = {given.count} of them: expected {expected}, {self.brake_count}")
         return given._held
 
     def position(self, q: Union[Numbers, Rows]) -> Array:
@@ -151,11 +151,11 @@ class mechanism(catalogue_value):
             If the mechanism has no inverse of its own: take nearest_pose.
         """
         if branch not in ("left", "right"):
-            raise ValueError(f"passive_haptics: branch = {branch!r}, expected 'left' or 'right'")
+            raise ValueError(f"passive_haptics: branch = {branch!r}: expected 'left' or 'right'")
         found = self._held.inverse(x, branch == "right")
         if found is None:
             kind = type(self).__name__
-            raise TypeError(f"passive_haptics: a {kind} has no inverse, expected nearest_pose(mechanism, x, start)")
+            raise TypeError(f"passive_haptics: a {kind} has no inverse: expected nearest_pose(mechanism, x, start)")
         q, outcome = found
         return q, status(int(outcome)) if outcome.ndim == 0 else outcome
 
@@ -269,13 +269,13 @@ class mechanism(catalogue_value):
         """
         places = np.shape(q)
         if len(places) != 2:
-            raise ValueError(f"passive_haptics: shape of q = {places}, expected (N, {self.dof}), a row for each place")
+            raise ValueError(f"passive_haptics: shape of q = {places}: expected (N, {self.dof}), a row for each place")
         if places[0] > MAX_PLACES:
             raise ValueError(
-                f"passive_haptics: number of rows of q = {places[0]}, expected at most {MAX_PLACES}; pass the places in parts"
+                f"passive_haptics: number of rows of q = {places[0]}: expected at most {MAX_PLACES}; pass the places in parts"
             )
         if math.isnan(push):
-            raise ValueError("passive_haptics: push [N] = nan, expected a number")
+            raise ValueError("passive_haptics: push [N] = nan: expected a number")
         rows: Records = np.empty(places[0], FIGURES)
         with progress_line(places[0], "places") as shown:
             self._held.design_map(q, direction, normal, self._brakes(brakes, True), push, rows, shown)
@@ -312,13 +312,13 @@ class serial_chain(mechanism):
     ) -> None:
         given = dict(locals())
         if not hasattr(joints, "__len__") or not hasattr(handle, "__len__"):
-            raise TypeError("passive_haptics: joints and handle of a serial_chain, expected a list of dicts, and a vector [m]")
+            raise TypeError("passive_haptics: joints and handle of a serial_chain: expected a list of dicts, and a vector [m]")
         name = ("planar" if len(handle) == 2 else "spatial") + f"_chain_{len(joints)}"
         if any(of is not None for of in (links, rotor_inertia, handle_mass, gravity)):
             name += "_with_inertia"
         if name not in LISTS["mechanism"] or len(handle) not in (2, 3):
             raise ValueError(
-                f"passive_haptics: {len(joints)} joints and a handle of {len(handle)} numbers, expected 2, 3 or 4 joints in the "
+                f"passive_haptics: {len(joints)} joints and a handle of {len(handle)} numbers: expected 2, 3 or 4 joints in the "
                 "plane, or 3, 6 or 7 in space"
             )
         self._name = name  # type: ignore[misc]

@@ -65,10 +65,10 @@ def links_of(device: mechanism, q: Numbers) -> list[Array]:
     """
     kind = type(device).__name__
     if kind not in _links or device.task_dimension != 2:
-        raise ValueError(f"passive_haptics: device = {kind}, expected a planar one of {', '.join(_links)}")
+        raise ValueError(f"passive_haptics: device = {kind}: expected a planar one of {', '.join(_links)}")
     positions = np.asarray(q, dtype=float)
     handle = device.position(positions)
     if not np.all(np.isfinite(handle)):
-        text = f"passive_haptics: q = {positions.tolist()}, expected a pose that the device can take"
+        text = f"passive_haptics: q = {positions.tolist()}: expected a pose that the device can take"
         raise ValueError(text)
     return _links[kind](device.parameters, positions, handle)

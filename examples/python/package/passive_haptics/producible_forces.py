@@ -41,7 +41,7 @@ def unit_vector(of: Numbers, name: str) -> Array:
     vector = np.asarray(of, dtype=float)
     length = float(np.linalg.norm(vector))
     if vector.shape != (2,) or not 0 < length < math.inf:
-        text = f"passive_haptics: {name} = {vector.tolist()}, expected two finite numbers, not both 0"
+        text = f"passive_haptics: {name} = {vector.tolist()}: expected two finite numbers, not both 0"
         raise ValueError(text)
     return vector / length
 
@@ -53,9 +53,9 @@ def _along(angle: Array | float) -> Array:
 def _require_planar(device: mechanism, q: Numbers) -> None:
     if device.task_dimension != 2:
         kind = type(device).__name__
-        raise ValueError(f"passive_haptics: device = {kind}, in space, expected a planar device")
+        raise ValueError(f"passive_haptics: device = {kind}, in space: expected a planar device")
     if not (np.all(np.isfinite(device.position(q))) and np.all(np.isfinite(device.jacobian(q)))):
-        raise ValueError(f"passive_haptics: q = {list(q)}, expected a pose that the device can take")
+        raise ValueError(f"passive_haptics: q = {list(q)}: expected a pose that the device can take")
 
 
 def _usual_force(device: mechanism, q: Numbers) -> float:

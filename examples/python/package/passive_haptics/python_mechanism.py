@@ -50,18 +50,18 @@ class python_mechanism(mechanism):
         for key, of in functions.items():
             if not callable(of):
                 what = "q and qd" if key.startswith("bias") else "q"
-                raise TypeError(f"passive_haptics: {key} = {of!r} ({type(of).__name__}), expected a function of {what}")
+                raise TypeError(f"passive_haptics: {key} = {of!r} ({type(of).__name__}): expected a function of {what}")
         for key in ("dof", "task_dimension"):
             if isinstance(given[key], bool) or not isinstance(given[key], int):
-                raise TypeError(f"passive_haptics: {key} = {given[key]!r}, expected a whole number")
+                raise TypeError(f"passive_haptics: {key} = {given[key]!r}: expected a whole number")
         inertia = ("mass_matrix", "bias_torque", "bias_acceleration")
         for key in inertia:
             if key not in functions and any(other in functions for other in inertia):
                 raise TypeError(
-                    f"passive_haptics: {key} = None, expected a function: inertia takes {', '.join(inertia)}, all or none"
+                    f"passive_haptics: {key} = None: expected a function: inertia takes {', '.join(inertia)}, all or none"
                 )
         if not isinstance(check, bool):
-            raise TypeError(f"passive_haptics: check = {check!r} ({type(check).__name__}), expected True or False")
+            raise TypeError(f"passive_haptics: check = {check!r} ({type(check).__name__}): expected True or False")
         self._parameters = given if not check else {key: of for key, of in given.items() if key != "check"}
         self._held = _native.python_mechanism(
             dof, task_dimension, position, jacobian, mass_matrix, bias_torque, bias_acceleration, not check
@@ -74,5 +74,5 @@ class python_mechanism(mechanism):
     def __reduce__(self) -> tuple[Any, ...]:
         for key, of in self._parameters.items():
             if getattr(of, "__name__", "") == "<lambda>":
-                raise TypeError(f"passive_haptics: {key} is a lambda, which cannot be pickled, expected a function of a module")
+                raise TypeError(f"passive_haptics: {key} is a lambda, which cannot be pickled: expected a function of a module")
         return super().__reduce__()

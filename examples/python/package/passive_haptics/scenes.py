@@ -90,9 +90,9 @@ def _read(form: str, path: Path, metres_per_unit: float) -> tuple[mesh, str]:
     try:
         name = os.fsencode(path)
     except TypeError:
-        raise TypeError(f"passive_haptics: path = {path!r}, expected the name of a file, a str or an os.PathLike") from None
+        raise TypeError(f"passive_haptics: path = {path!r}: expected the name of a file, a str or an os.PathLike") from None
     if b"\0" in name:
-        raise ValueError(f"passive_haptics: path = {path!r}, expected the name of a file, which has no zero byte")
+        raise ValueError(f"passive_haptics: path = {path!r}: expected the name of a file, which has no zero byte")
     held, remarks = _native.read_mesh(form, name, number(metres_per_unit, "metres_per_unit"))
     return mesh.__new__(mesh)._set(held), remarks
 
@@ -189,7 +189,7 @@ def _scene_of(kind: str, walls: collections.abc.Sequence[Any], is_world: bool) -
         expect(each, wall, f"wall {i} of a {kind}", "a wall: put each shape into one, wall(shape)")
         if each.dimension != walls[0].dimension:
             raise ValueError(
-                f"passive_haptics: wall {i} of a {kind} has dimension {each.dimension}, expected "
+                f"passive_haptics: wall {i} of a {kind} has dimension {each.dimension}: expected "
                 f"{walls[0].dimension}, as wall 0 has"
             )
     return _native.scene([each._held for each in walls], is_world)
@@ -218,7 +218,7 @@ class world(_any_scene):
 
     def __init__(self, walls: collections.abc.Sequence[wall]) -> None:
         if not isinstance(walls, (list, tuple)):
-            raise TypeError(f"passive_haptics: walls = {walls!r} ({type(walls).__name__}), expected a list of walls")
+            raise TypeError(f"passive_haptics: walls = {walls!r} ({type(walls).__name__}): expected a list of walls")
         self._held = _scene_of(type(self).__name__, walls, True)
         self._parameters = {"walls": list(walls)}
 
@@ -230,7 +230,7 @@ class held_scene(_any_scene):
     def __init__(self, scene: _any_scene, period: float) -> None:
         of = expect(scene, _any_scene, "scene", "a scene: held_scene(scene(wall(shape, stiffness)), period)")
         if isinstance(of, held_scene):
-            raise TypeError("passive_haptics: scene of a held_scene is a held_scene, expected one that is not held")
+            raise TypeError("passive_haptics: scene of a held_scene is a held_scene: expected one that is not held")
         self._held = _native.held_scene(of._held, number(period, "period"))
         self._parameters = {"scene": of, "period": number(period, "period")}
 

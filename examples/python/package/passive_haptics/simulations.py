@@ -101,7 +101,7 @@ def _models(device: mechanism, given: Any) -> list[Any]:
         p = given.parameters
         if np.isfinite(p["torque_lower"]).any() or np.isfinite(p["torque_upper"]).any():
             raise ValueError(
-                "passive_haptics: brakes of a simulated_device have a torque_lower or torque_upper, expected brakes that work "
+                "passive_haptics: brakes of a simulated_device have a torque_lower or torque_upper: expected brakes that work "
                 "both ways, or a list of brake models; a controller commands those that are off nothing"
             )
         return [coulomb_brake(torque_limit=limit, time_constant=lag) for limit, lag in zip(p["torque_limit"], p["time_constant"])]
@@ -109,7 +109,7 @@ def _models(device: mechanism, given: Any) -> list[Any]:
         expect(given, brakes, "brakes", "what brakes() of the mechanism returns, or a list of brake models")
     if len(given) != device.brake_count:
         raise ValueError(
-            f"passive_haptics: number of brakes = {len(given)}, expected {device.brake_count}, a model for each brake of the "
+            f"passive_haptics: number of brakes = {len(given)}: expected {device.brake_count}, a model for each brake of the "
             "mechanism"
         )
     return [expect(each, brake_model, f"brakes[{i}]", "a brake model such as coulomb_brake()") for i, each in enumerate(given)]
@@ -145,10 +145,10 @@ def follow_wall(
     of = device.parameters["mechanism"]
     n, d, m = of._held.sizes()
     if controller._held.sizes() != (n, d, m):
-        raise ValueError("passive_haptics: controller is of another mechanism, expected one of the device's sizes")
+        raise ValueError("passive_haptics: controller is of another mechanism: expected one of the device's sizes")
     if shape.dimension != d:
         raise ValueError(
-            f"passive_haptics: shape has dimension {shape.dimension}, expected {d}, the task dimension of the device"
+            f"passive_haptics: shape has dimension {shape.dimension}: expected {d}, the task dimension of the device"
         )
     p = hand.parameters
     with progress_line(round(1e3 * parameters.parameters["max_duration"]), "ms at most") as shown:

@@ -76,7 +76,7 @@ def sweep(
     """
     order = _distinct(items)
     if experiments_per_task < 1:
-        text = f"passive_haptics: experiments_per_task = {experiments_per_task}, expected 1 or more"
+        text = f"passive_haptics: experiments_per_task = {experiments_per_task}: expected 1 or more"
         raise ValueError(text)
     failures: dict[bytes, str] = {}
     with _results_in(file) as stored:
@@ -107,10 +107,10 @@ def _distinct(items: collections.abc.Iterable[Any]) -> list[bytes]:
         try:
             pickled = pickle.dumps(operator.index(item) if hasattr(item, "__index__") else item, protocol=4)
         except Exception as error:
-            text = f"passive_haptics: item = {item!r}, expected one that can be pickled: {error}"
+            text = f"passive_haptics: item = {item!r}: expected one that can be pickled: {error}"
             raise TypeError(text) from None
         if pickled in order:
-            raise ValueError(f"passive_haptics: item {item!r} is given twice, expected distinct items")
+            raise ValueError(f"passive_haptics: item {item!r} is given twice: expected distinct items")
         order[pickled] = None
     return list(order)
 
@@ -128,10 +128,10 @@ def _results_in(file: Path | None) -> collections.abc.Iterator[sqlite3.Connectio
         except sqlite3.OperationalError as error:
             if "locked" not in str(error):
                 raise
-            text = f"passive_haptics: file = {name} is in use, expected one that no other sweep writes"
+            text = f"passive_haptics: file = {name} is in use: expected one that no other sweep writes"
             raise BlockingIOError(errno.EAGAIN, text) from None
         except sqlite3.DatabaseError as error:
-            text = f"passive_haptics: file = {name}: {error}, expected a new file or one of a sweep"
+            text = f"passive_haptics: file = {name}: {error}: expected a new file or one of a sweep"
             raise ValueError(text) from None
         yield results
 

@@ -48,7 +48,7 @@ class value:
     def __getattr__(self, name: str) -> Any:
         kind = type(self).__name__
         if name in ("_held", "_parameters"):
-            raise TypeError(f"passive_haptics: a {kind} without parameters, expected a call of super().__init__(...)")
+            raise TypeError(f"passive_haptics: a {kind} without parameters: expected a call of super().__init__(...)")
         raise AttributeError(f"passive_haptics: a {kind} has no {name}")
 
     @property
@@ -84,7 +84,7 @@ def with_suggestions(function: F) -> F:
                 owner = type(self).__name__ if function.__name__ == "__init__" else function.__name__
                 near = difflib.get_close_matches(key, names, 1)
                 raise TypeError(
-                    f"passive_haptics: {owner} has no parameter {key!r}, expected {', '.join(names) or 'none'}"
+                    f"passive_haptics: {owner} has no parameter {key!r}: expected {', '.join(names) or 'none'}"
                     + (f"; did you mean {near[0]}?" if near else "")
                 )
         return function(self, *args, **kwargs)
@@ -103,7 +103,7 @@ def warn(text: str) -> None:
 def number(x: Any, name: str) -> float:
     """x as a number of float64; a TypeError if it is another thing."""
     if isinstance(x, bool) or not isinstance(x, (int, float, np.floating, np.integer)):
-        raise TypeError(f"passive_haptics: {name} = {x!r} ({type(x).__name__}), expected a number")
+        raise TypeError(f"passive_haptics: {name} = {x!r} ({type(x).__name__}): expected a number")
     return float(x)
 
 
@@ -112,7 +112,7 @@ def expect(thing: Any, kind: type[Any], name: str, expected: str) -> Any:
     if not isinstance(thing, kind):
         shown = repr(thing)
         shown = shown if len(shown) <= 40 else shown[:40] + "..."
-        raise TypeError(f"passive_haptics: {name} = {shown} ({type(thing).__name__}), expected {expected}")
+        raise TypeError(f"passive_haptics: {name} = {shown} ({type(thing).__name__}): expected {expected}")
     if isinstance(thing, value):
         thing._held
     return thing

@@ -54,7 +54,7 @@ inline error_message check_length(std::string_view name, std::size_t length, std
   if (length == states) return {};
   return error_of("the length of an array", [&] {
     std::string text("length of ");
-    text.append(name).append(" = ").append(std::to_string(length)).append(", expected ");
+    text.append(name).append(" = ").append(std::to_string(length)).append(": expected ");
     text.append(std::to_string(states)).append(", one number for each state, as q[0] has");
     if (may_be_left_out) text.append("; or leave ").append(name.substr(0, name.find('['))).append(" empty");
     return text;
@@ -119,7 +119,7 @@ template <class M>
 error_message check_hand_force(const batch_states<M>& states) {
   if (states.has_hand_force() || states.size() == 0) return {};
   return detail::error_of("hand_force", [&] {
-    return std::string("length of hand_force[0] = 0, expected ")
+    return std::string("length of hand_force[0] = 0: expected ")
         .append(std::to_string(states.size()))
         .append(", as the law needs a hand force; or use a law that needs none (no_direct_control)");
   });

@@ -53,7 +53,7 @@ class device_calibration {
     if constexpr (Parameters<Frame>) require_valid(frame);
     const bool solvable = all_finite(axes_.to_joints(vector<T, axes::count>::Ones()));
     require_no_error(
-        solvable ? "" : "transmission is singular, expected an invertible matrix; check the mechanism");
+        solvable ? "" : "transmission is singular: expected an invertible matrix; check the mechanism");
   }
 
   /// State at the time [s] of a sample; not finite if a count or reading is not.

@@ -80,7 +80,7 @@ struct force_calibration_parameters {
   /// Requires channels that distinguish all directions, and a mass if gravity is given.
   std::string rules() const {
     if (!all_finite(pseudo_inverse(transposed(newtons_per_unit))))
-      return "newtons_per_unit has dependent rows, expected independent rows: measure each direction by "
+      return "newtons_per_unit has dependent rows: expected independent rows: measure each direction by "
              "itself";
     if (handle_mass > 0 || gravity.isZero(0)) return {};
     return detail::error_text(

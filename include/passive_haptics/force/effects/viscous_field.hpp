@@ -23,7 +23,7 @@ struct viscous_field_parameters {
     const matrix<T, D, D> rounding = rounding_tolerance<T>(D) * size * matrix<T, D, D>::Identity();
     const matrix<T, D, D> symmetric = (viscosity + viscosity.transpose()) / T(2) + rounding;
     if (!(size > T(0)) || cholesky<T, D>(symmetric).is_positive_definite()) return {};
-    return "viscosity of a viscous_field would drive some motion, expected v . B v >= 0 for all v";
+    return "viscosity of a viscous_field would drive some motion: expected v . B v >= 0 for all v";
   }
 };
 

@@ -15,14 +15,14 @@ std::string check_inertia(const char* name, const matrix<T, 3, 3>& inertia) {
   const T size = inertia.cwiseAbs().maxCoeff();
   const T rounding = rounding_tolerance<T>(3) * size;
   if (!((inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= rounding))
-    return std::string(name).append(" is not finite and symmetric, expected a finite symmetric matrix");
+    return std::string(name).append(" is not finite and symmetric: expected a finite symmetric matrix");
   if (size == T(0)) return "";  // a point mass
   // int r r^T dm, which no mass makes indefinite
   const matrix<T, 3, 3> second_moment =
       (inertia.trace() / T(2) + rounding) * matrix<T, 3, 3>::Identity() - inertia;
   if (cholesky<T, 3>(second_moment).is_positive_definite()) return "";
   return std::string(name).append(
-      " has a principal moment over the sum of the other two, expected that of a rigid body");
+      " has a principal moment over the sum of the other two: expected that of a rigid body");
 }
 
 template <class T>

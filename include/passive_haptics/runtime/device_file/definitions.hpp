@@ -158,7 +158,7 @@ void toml_section::finish() const {
       std::string all;
       for (const std::string& key : state_->known) all.append(all.empty() ? "" : ", ").append(key);
       state_->fail(&one, "unknown key '" + detail::beginning_of(state_->named(one.key)) +
-                             "', expected one of " + all + did_you_mean(one.key, state_->known));
+                             "': expected one of " + all + did_you_mean(one.key, state_->known));
     }
   }
   for (const auto& inner : state_->inner) toml_section(inner).finish();
@@ -166,7 +166,7 @@ void toml_section::finish() const {
   for (const auto& [key, was_large] : state_->allowed->was_large)
     if (!was_large)
       require("allow_large = [\"" + detail::beginning_of(key) +
-              "\"], expected keys of values that no device has; remove it");
+              "\"]: expected keys of values that no device has; remove it");
 }
 
 scene_variant device_description::make_scene(const catalogue& all) const {
@@ -331,11 +331,11 @@ void device_reader::require_possible(toml_section& from, const law_entry& law, c
   if (possible.empty())
     file_.section("mechanism")
         .require("type = " + device.mechanism.name +
-                 ", expected one with controllers: the program "
+                 ": expected one with controllers: the program "
                  "compiles none of this kind (catalogue::compile_for)");
   const std::string expected = one_of(possible) + ": " + law.name + " needs " + lacks;
   from.refuse("type", expected);
-  from.require("type is missing, expected " + expected);
+  from.require("type is missing: expected " + expected);
 }
 
 device_description read_device(const toml_section& file, const catalogue& all) {

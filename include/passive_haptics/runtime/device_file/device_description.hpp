@@ -33,7 +33,7 @@ struct wall_description {
 template <class Entry>
 const Entry& entry_of(const std::vector<Entry>& all, const std::string& name) {
   if (const Entry* found = find(all, name)) return *found;
-  throw std::invalid_argument("passive_haptics: name = \"" + name + "\", expected one of the catalogue");
+  throw std::invalid_argument("passive_haptics: name = \"" + name + "\": expected one of the catalogue");
 }
 
 /// The shape of a wall from element `from` of its shapes on, 0 for all of it; empty after the last one.
@@ -45,7 +45,7 @@ std::optional<any_shape<D>> make_shape(const catalogue& all, const wall_descript
     const auto& shape = entry_of(all.shapes<D>(), w.shapes[i].name);
     if (!shape.make)
       throw std::invalid_argument("passive_haptics: of = \"" + shape.name +
-                                  "\", expected a shape with an inside");
+                                  "\": expected a shape with an inside");
     made = shape.make(w.shapes[i].parameters, made ? &*made : nullptr);
   }
   return made;

@@ -72,7 +72,7 @@ inline void require_shallow_keys(const std::string& file, const std::string& tex
   for (std::string line; std::getline(lines, line); ++number)
     if (std::count(line.begin(), line.end(), '.') > max_dots)
       throw std::invalid_argument(file + ":" + std::to_string(number) + ": over " + std::to_string(max_dots) +
-                                  " dots in a line, expected fewer; break it into lines");
+                                  " dots in a line: expected fewer; break it into lines");
 }
 
 }  // namespace passive_haptics::detail

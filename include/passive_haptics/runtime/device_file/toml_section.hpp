@@ -76,7 +76,7 @@ class toml_section {
     const std::string all = one_of(choices).append(reason).append(did_you_mean(value, choices));
     const toml_value* found = state_->find(key);
     if (found == nullptr)
-      state_->fail(state_->table, state_->named(key).append(" is missing, expected ").append(all));
+      state_->fail(state_->table, state_->named(key).append(" is missing: expected ").append(all));
     state_->expected(key, *found, all);
   }
   /// Reads one value per element, or one for all: for brakes, joints, axes or channels.
@@ -219,7 +219,7 @@ class toml_section {
       return name.empty() ? std::string(key) : std::string(name).append(".").append(key);
     }
     [[noreturn]] void expected(std::string_view key, const toml_value& at, const std::string& what) const {
-      fail(&at, detail::beginning_of(named(key)) + " = " + detail::beginning_of(to_text(at)) + ", expected " +
+      fail(&at, detail::beginning_of(named(key)) + " = " + detail::beginning_of(to_text(at)) + ": expected " +
                     what);
     }
     const toml_value* find(std::string_view key) {

@@ -73,10 +73,10 @@ inline std::optional<std::string_view> behind_key(std::string_view name, std::st
   return std::nullopt;
 }
 
-// The value of an error "NAME = VALUE, expected WHAT" about this table: that of the longest key in NAME, or,
+// The value of an error "NAME = VALUE: expected WHAT" about this table: that of the longest key in NAME, or,
 // if a number of a table in a list follows, the value in that table. Without a key the table itself.
 inline const runtime::toml_value* value_of_error(const runtime::toml_value& table, std::string_view error) {
-  const std::string_view name = error.substr(0, std::min(error.find(" = "), error.find(", expected")));
+  const std::string_view name = error.substr(0, std::min(error.find(" = "), error.find(": expected")));
   std::string_view rest;
   const runtime::toml_value* found = &table;
   std::size_t length = 0;

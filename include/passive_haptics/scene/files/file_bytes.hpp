@@ -21,9 +21,9 @@ inline std::string read_file(const std::filesystem::path& path, std::string& byt
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) return error.message();
-  if (size > max_size) return std::to_string(size) + " bytes, expected at most " + std::to_string(max_size);
+  if (size > max_size) return std::to_string(size) + " bytes: expected at most " + std::to_string(max_size);
   std::ifstream in(path, std::ios::binary);
-  if (!in) return "cannot be read, expected a file that you may read";
+  if (!in) return "cannot be read: expected a file that you may read";
   bytes.resize(static_cast<std::size_t>(size));
   in.read(bytes.data(), static_cast<std::streamsize>(size));
   bytes.resize(static_cast<std::size_t>(in.gcount()));  // the file may have become shorter

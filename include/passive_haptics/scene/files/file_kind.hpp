@@ -29,7 +29,7 @@ inline std::string file_kind(const std::filesystem::path& path) {
 inline std::string check_regular_file(const std::filesystem::path& path) {
   const std::string kind = file_kind(path);
   if (kind == "a regular file") return "";
-  return kind == "nothing" ? "no such file" : "is " + kind + ", expected a regular file";
+  return kind == "nothing" ? "no such file" : "is " + kind + ": expected a regular file";
 }
 
 }  // namespace passive_haptics

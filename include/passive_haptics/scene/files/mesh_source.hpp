@@ -77,7 +77,7 @@ class mesh_source {
                                    : "the line ends");
   }
   [[noreturn]] void fail(std::string_view found, std::string_view expected) const {
-    fail_mesh_file(path_, place_of(found).append(", expected ").append(expected));
+    fail_mesh_file(path_, place_of(found).append(": expected ").append(expected));
   }
   std::size_t line() const { return lines_.number(); }  ///< The line of the last word, from 1.
 
@@ -101,7 +101,7 @@ class mesh_source {
   }
   /// Throws an error about the next byte.
   [[noreturn]] void fail_here(std::string_view found, std::string_view expected) const {
-    fail_mesh_file(path_, indexed("byte ", at_, ": ").append(found).append(", expected ").append(expected));
+    fail_mesh_file(path_, indexed("byte ", at_, ": ").append(found).append(": expected ").append(expected));
   }
 
   std::string_view bytes() const { return lines_.bytes(); }

@@ -95,7 +95,7 @@ inline void check_ply_header(const mesh_source& from, const ply_header& header) 
   const auto refuse_unless = [&](bool holds, const char* expected) {
     if (!holds)
       fail_mesh_file(from.path(),
-                     std::string("the header is not that of a mesh, expected ").append(expected));
+                     std::string("the header is not that of a mesh: expected ").append(expected));
   };
   const ply_element* const vertex = header.find("vertex");
   refuse_unless(vertex != nullptr && vertex->rows <= polygons::max_count,
@@ -117,7 +117,7 @@ inline void check_ply_header(const mesh_source& from, const ply_header& header) 
         (least == 0 || e.rows > (from.left() + 1) / least))  // the last row may have no end of line
       fail_mesh_file(from.path(),
                      indexed("element " + e.name + " has ", e.rows, " rows of ")
-                         .append(indexed("", least, " bytes or more, expected "))
+                         .append(indexed("", least, " bytes or more: expected "))
                          .append(indexed("no more than the ", from.left(), " bytes that follow the header")));
   }
 }

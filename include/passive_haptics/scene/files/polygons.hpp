@@ -81,16 +81,16 @@ inline std::string cut_all(const polygons& from, const std::vector<point<3>>& ve
       if (!all_finite(x))
         return here(indexed("corner ", k + 1, indexed(" = (", x[0], ", "))
                         .append(indexed("", x[1], ", "))
-                        .append(indexed("", x[2], "), expected finite coordinates; the file is damaged")));
+                        .append(indexed("", x[2], "): expected finite coordinates; the file is damaged")));
     }
     const polygon_cut cut = cut_polygon(vertices, polygon, triangles);
     if (cut == polygon_cut::twisted) twisted.push_back(from.places[i]);
     if (cut == polygon_cut::crossing)
       return here(indexed("a polygon of ", polygon.size(),
-                          " corners crosses itself, expected its corners in their order around it; cut it "
+                          " corners crosses itself: expected its corners in their order around it; cut it "
                           "into triangles where the file is made"));
   }
-  return triangles.size() > polygons::max_count ? "more than 2^31 - 1 triangles, expected fewer" : "";
+  return triangles.size() > polygons::max_count ? "more than 2^31 - 1 triangles: expected fewer" : "";
 }
 
 inline std::string remarks_on(const mesh_file& file, const std::string& first_twisted,
@@ -113,8 +113,8 @@ inline std::string remarks_on(const mesh_file& file, const std::string& first_tw
 inline std::string to_mesh(polygons&& from, double metres_per_unit, mesh_file& file) {
   const auto counted = [](std::size_t n) { return static_cast<int>(std::min(n, polygons::max_count)); };
   if (from.ends.empty()) {
-    if (from.skipped_lines == 0) return "no triangles, expected one or more; points and lines have no sides";
-    return from.first_skipped + ", expected a keyword of a mesh; the file has no triangles";
+    if (from.skipped_lines == 0) return "no triangles: expected one or more; points and lines have no sides";
+    return from.first_skipped + ": expected a keyword of a mesh; the file has no triangles";
   }
   mesh_parameters<3> all{std::move(from.vertices), {}};
   for (point<3>& x : all.vertices) x *= metres_per_unit;
@@ -131,7 +131,7 @@ inline std::string to_mesh(polygons&& from, double metres_per_unit, mesh_file& f
   file.skipped_bytes = from.skipped_bytes;
   file.remarks = remarks_on(file, twisted.empty() ? "" : indexed(from.place_name, twisted.front(), ""),
                             from.first_skipped);
-  return file.mesh.facets.empty() ? "all triangles are degenerate (zero area), expected one with an area"
+  return file.mesh.facets.empty() ? "all triangles are degenerate (zero area): expected one with an area"
                                   : "";
 }
 

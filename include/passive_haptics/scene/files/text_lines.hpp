@@ -44,7 +44,7 @@ inline std::string foreign_file_error(std::string_view bytes) {
   bytes.remove_prefix(std::min(bytes.find_first_not_of("\xef\xbb\xbf \t\r\n"), bytes.size()));
   if (!is_keyword(bytes.substr(0, 14), "<!doctype html") && !is_keyword(bytes.substr(0, 5), "<html"))
     return "";
-  return "an HTML page, not the file, expected the file itself; download that";
+  return "an HTML page, not the file: expected the file itself; download that";
 }
 
 /// True if std::from_chars reads this type. libc++ before 20 lacks floating-point types.
@@ -124,10 +124,10 @@ class text_lines {
       padding_size_ = rest.size();
       if (in_ != nullptr || rest.find_first_not_of(padding) != rest.npos ||
           std::count(rest.begin(), rest.end(), '\0') > max_zeros_)
-        fail("a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, remove such bytes");
+        fail("a zero byte or Ctrl-Z: expected text; lines may be lost here: if none is, remove such bytes");
     }
     if (end - at_ > max_length_)
-      fail(indexed("more than ", max_length_, " characters, expected a shorter line"));
+      fail(indexed("more than ", max_length_, " characters: expected a shorter line"));
     line_ = std::string_view(bytes_).substr(at_, end - at_);
     is_last_ = end + padding_size_ == bytes_.size() || !error_.empty();
     if (after_cr_ <= end) after_cr_ = std::min(bytes_.find_first_not_of('\r', end), bytes_.size());

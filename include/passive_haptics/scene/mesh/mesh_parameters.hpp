@@ -33,10 +33,10 @@ inline constexpr double min_slenderness = 1e-10;
 /// Returns an error text for the first wrong facet or vertex; empty if there is none.
 template <int D>
 std::string validate(const mesh_parameters<D>& p) {
-  if (p.facets.empty()) return "a mesh has no facets, expected one or more";
+  if (p.facets.empty()) return "a mesh has no facets: expected one or more";
   for (std::size_t i = 0; i < p.vertices.size(); ++i) {
     if (!all_finite(p.vertices[i]))
-      return detail::indexed("vertex ", i, " of a mesh is not finite, expected metres");
+      return detail::indexed("vertex ", i, " of a mesh is not finite: expected metres");
   }
   for (std::size_t i = 0; i < p.facets.size(); ++i) {
     const auto name = [i](const char* what) {

@@ -70,12 +70,12 @@ std::string check_ridge(const ridge<D>* first, const ridge<D>* last) {
   text.append(" of a mesh_solid");
   if (last - first == 1)
     return indexed(text.append(" belongs to facet "), first->facet,
-                   " only, expected a closed surface; close the hole, or use mesh_surface");
+                   " only: expected a closed surface; close the hole, or use mesh_surface");
   if (last - first == 2)
     return indexed(indexed(text.append(": facets "), first->facet, " and "), first[1].facet,
-                   " run the same way, expected opposite ways; swap two vertices of one of them");
+                   " run the same way: expected opposite ways; swap two vertices of one of them");
   return indexed(text.append(" belongs to "), last - first,
-                 " facets, expected as many that run one way as the other; remove what is within the solid");
+                 " facets: expected as many that run one way as the other; remove what is within the solid");
 }
 
 /// Angles of a facet at its corners [rad]; 1 for segments.

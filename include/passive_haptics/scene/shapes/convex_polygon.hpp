@@ -47,7 +47,7 @@ struct convex_polygon_parameters {
     const auto corner = [&](std::size_t i) { return corners[i % corners.size()]; };
     const auto name = [](std::size_t i) { return detail::indexed("corner ", i, " of a convex_polygon "); };
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      if (corner(i) == corner(i + 1)) return name(i) + "equals the next one, expected distinct corners";
+      if (corner(i) == corner(i + 1)) return name(i) + "equals the next one: expected distinct corners";
     }
     const double area = detail::twice_area(corners);
     if (!std::isfinite(area) || area == 0)
@@ -58,7 +58,7 @@ struct convex_polygon_parameters {
         const point<2> r = corner(j) - corner(i);
         if (sgn(area) * cross_in_plane(edge, r) < -rounding_tolerance<double>(2) * edge.norm() * r.norm())
           return name(j) + "lies outside the edge after corner " + std::to_string(i) +
-                 ", expected a convex polygon";
+                 ": expected a convex polygon";
       }
     }
     return {};

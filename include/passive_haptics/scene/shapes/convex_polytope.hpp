@@ -45,7 +45,7 @@ std::string check_common_inside(const std::array<half_space<D>, K>& faces) {
   const matrix<double, D, k> N = normals_of(faces);
   const vector<double, k> g = distances_from<D, K>(faces, point<D>::Zero());
   if (g.maxCoeff() <= 0 || least_distance<double, D, k>(N, g).residual >= parallel) return {};
-  return "faces of a convex_polytope have no common inside, expected normals that point out of it";
+  return "faces of a convex_polytope have no common inside: expected normals that point out of it";
 }
 
 }  // namespace detail

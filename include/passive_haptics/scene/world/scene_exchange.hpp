@@ -82,7 +82,7 @@ class latest_scene {
   explicit latest_scene(scene_exchange<Scene>& exchange, const latest_scene_parameters& p = {})
       : exchange_(&exchange), parameters_(require_valid(p)) {
     require_no_error(p.extrapolate && !can_extrapolate
-                         ? "extrapolate of a latest_scene = true, expected a scene with extrapolate(seconds)"
+                         ? "extrapolate of a latest_scene = true: expected a scene with extrapolate(seconds)"
                          : "");
   }
 

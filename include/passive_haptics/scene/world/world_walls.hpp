@@ -42,7 +42,7 @@ std::string validate(const world_walls<D>& walls) {
     if (!(b.lower.array() <= b.upper.array()).all())
       return detail::indexed(
           "bounds of wall ", i,
-          " of a world are not lower <= upper, expected a box of finite or infinite metres");
+          " of a world are not lower <= upper: expected a box of finite or infinite metres");
   }
   return {};
 }
