@@ -37,7 +37,8 @@ urdf_mechanism read(const ph::runtime::urdf_source& from, const std::string& nam
   options.tool = from.tool;
   options.inertia = from.balanced ? ph::urdf_inertia::balanced : ph::urdf_inertia::as_given;
   const ph::urdf_chain chain = ph::read_urdf(from.urdf, from.base, from.tip, options);
-  const bool is_planar = chain.joints.size() > 1 && ph::plane_of(chain).error.empty();
+  // Three joints are the only number with a choice
+  const bool is_planar = chain.joints.size() != 3 || ph::plane_of(chain).error.empty();
   std::string possible;
   for (const chain_type& type : types) {
     if (std::ssize(chain.joints) != type.joints) continue;
@@ -45,11 +46,12 @@ urdf_mechanism read(const ph::runtime::urdf_source& from, const std::string& nam
       return {type.name, type.parameters(chain), chain.remarks};
     possible.append(possible.empty() ? "" : " or ").append(type.name);
   }
-  throw std::invalid_argument(
-      possible.empty()
-          ? chain.name + ": moving joints = " + std::to_string(chain.joints.size()) +
-                ": expected 2 to 4 in one plane, or 3, 6 or 7 in space; choose other links"
-          : "type = \"" + name + "\": expected " + possible + ", which has as many joints as " + chain.name);
+  if (possible.empty())
+    throw std::invalid_argument("passive_haptics: " + chain.name +
+                                ": moving joints = " + std::to_string(chain.joints.size()) +
+                                ": expected 2 to 4 in one plane, or 3, 6 or 7 in space; choose other links");
+  throw std::invalid_argument("passive_haptics: type = \"" + name + "\": expected " + possible +
+                              ", which has as many joints as " + chain.name);
 }
 
 }  // namespace

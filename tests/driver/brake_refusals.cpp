@@ -144,9 +144,9 @@ TEST(means_that_are_no_more_than_constants, determine_nothing) {
 
 TEST(a_loop, needs_a_ramp_and_a_step_needs_a_loop) {
   EXPECT_EQ(thrown_by([] { ph::fit_magnetorheological_loop({}); }),
-            "ramp.max_current [A] = 0, expected > 0: record a ramp, and pass its fit_current_ramp");
+            "ramp.max_current [A] = 0: expected > 0: record a ramp, and pass its fit_current_ramp");
   EXPECT_EQ(thrown_by([] { ph::fit_magnetorheological_step(noisy_step(), {}); }),
-            "loop.max_current [A] = 0, expected > 0: pass the fit_magnetorheological_loop of a ramp");
+            "loop.max_current [A] = 0: expected > 0: pass the fit_magnetorheological_loop of a ramp");
 }
 
 // ---- signs and units
@@ -157,12 +157,12 @@ TEST(a_torque_of_the_wrong_sign, is_refused) {
     std::mt19937_64 bits(1);
     const samples all = step(up, [&](double t) { return (up ? -rise(t) : rise(t)) + noise(bits); });
     expect_within(thrown_by([&] { ph::fit_step_response(all); }), "change of the torque [N m] = ",
-                  (up ? ", expected > 0 as the current rises" : ", expected < 0 as the current falls") + fix);
+                  (up ? ": expected > 0 as the current rises" : ": expected < 0 as the current falls") + fix);
   }
   expect_within(ramp_error([](double I) { return -0.02 - I; }), "ramp.rising[10] [N m] = -1.0",
                 ": expected more than residual_torque" + fix);
   for (const std::string& error : sweep_errors(noisy_sweep([](double w) { return -1 - 0.1 * w; })))
-    expect_within(error, "mean torque against the turn [N m] = -1.52", ", expected >= 0" + fix);
+    expect_within(error, "mean torque against the turn [N m] = -1.52", ": expected >= 0" + fix);
 }
 
 TEST(no_torque_at_all, is_neither_of_the_wrong_sign_nor_below_zero) {
@@ -176,7 +176,7 @@ TEST(no_torque_at_all, is_neither_of_the_wrong_sign_nor_below_zero) {
 
 TEST(a_torque_that_is_below_zero_or_falls_at_last, is_refused) {
   expect_within(ramp_error([](double I) { return I - 0.1; }), "ramp.residual_torque [N m] = -0.1",
-                ", expected >= 0: set torque_at_zero of the bench while no load acts");
+                ": expected >= 0: set torque_at_zero of the bench while no load acts");
   expect_within(
       ramp_error([](double I) { return std::min(I, 1.5 - I); }), "ramp.rising[10] [N m] = 0.5",
       ", the maximum, which was at a lower current: ramp up only as long as the torque rises, and let "
@@ -238,7 +238,7 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_step) {
            row{[](auto& all) {
                  for (auto& s : all) s.position = std::min(s.position, 1.3);
                },
-               "way [rad] from 0.7 s to 0.8 s = 0, expected > 0 throughout: turn the axis faster, or by a "
+               "way [rad] from 0.7 s to 0.8 s = 0: expected > 0 throughout: turn the axis faster, or by a "
                "motor "
                "that is stronger than the brake"},
            row{[](auto& all) {
@@ -269,7 +269,7 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_ramp) {
     return thrown_by([&] { ph::fit_current_ramp(all, delay); });
   };
   EXPECT_EQ(error(ramp_of(1, 200)), "nothing");
-  EXPECT_EQ(error(ramp_of(0, 200)), "greatest current [A] = 0, expected > 0: ramp up");
+  EXPECT_EQ(error(ramp_of(0, 200)), "greatest current [A] = 0: expected > 0: ramp up");
   EXPECT_EQ(error(ramp_of(1, -100)),
             "samples at 0 A before the ramp = 0: expected at least 8: begin with a pause at 0 A");
   EXPECT_EQ(error(ramp_of(1, 200), {.rising = 0.09}),
@@ -292,7 +292,7 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_sweep) {
   EXPECT_EQ(error(1, 0.1),
             "samples[501].current [A] = 1: expected that of the first: record the sweep at one current");
   EXPECT_EQ(sweep_errors(means(10))[0],
-            "fastest rate [rad/s] = 0, expected > 0: turn the axis, slowly and fast");
+            "fastest rate [rad/s] = 0: expected > 0: turn the axis, slowly and fast");
 }
 
 }  // namespace brake_refusals_tests

@@ -127,7 +127,7 @@ TEST(force_calibration, names_what_is_wrong) {
             "newtons_per_unit(1, 2) [N] = nan: expected a finite number");
   EXPECT_EQ(
       error([](parameters& p) { p.gravity = {0, -9.81}; }),
-      "handle_mass [kg] = 0, expected > 0 if gravity is given, as gravity acts on nothing else; weigh the "
+      "handle_mass [kg] = 0: expected > 0 if gravity is given, as gravity acts on nothing else; weigh the "
       "handle, or remove gravity");
   EXPECT_EQ(error([](parameters& p) { p.gravity = {0, -9.81}, p.handle_mass = 0.2; }), "");
   EXPECT_EQ(

@@ -168,7 +168,7 @@ TEST(a_bench, whose_results_are_missing_or_cannot_be_is_refused_with_what_to_do)
             "fall_time_constant [s] = 30: expected at most 5: pass the times of the samples in seconds, not "
             "milliseconds");
   EXPECT_EQ(error_of([](results& r) { r.ramp.residual_torque.value = -0.1; }),
-            "ramp.residual_torque [N m] = -0.1, expected >= 0: set torque_at_zero of the bench while no load "
+            "ramp.residual_torque [N m] = -0.1: expected >= 0: set torque_at_zero of the bench while no load "
             "acts");
   EXPECT_EQ(error_of([](results& r) { r.rate_dead_band = results().rate_dead_band; }),
             "rate_dead_band [rad/s] = nan: expected a finite number > 0: pass "
@@ -186,7 +186,7 @@ TEST(a_bench, whose_steps_are_mixed_up_is_refused) {
   };
   EXPECT_EQ(error(up, down), "nothing");
   EXPECT_EQ(error(down, up),
-            "up.change [N m] = -0.8, expected > 0: pass the step up first, then the step down");
+            "up.change [N m] = -0.8: expected > 0: pass the step up first, then the step down");
   EXPECT_EQ(error(up, up),
             "down.change [N m] = 0.8: expected < 0: pass the step up first, then the step down");
 }

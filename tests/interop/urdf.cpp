@@ -380,6 +380,23 @@ TEST_F(a_urdf, is_asked_for_links_and_joints_that_it_has) {
             "moving joints = 0 (): expected 7; write chain_from_urdf<0> or choose other links");
 }
 
+TEST_F(a_urdf, with_bytes_gone_wrong_is_a_chain_or_is_named) {
+  ph::testing::random_source random(20040627);
+  int read = 0, rejected = 0;
+  for (int k = 0; k < 1000; ++k) {
+    std::string text = arm;
+    const auto somewhere = [&] { return static_cast<std::size_t>(random.uniform(0.0, double(text.size()))); };
+    if (k % 8 == 0) text.resize(somewhere());
+    for (int hits = 0; hits < 2 && !text.empty(); ++hits)
+      text[somewhere()] = "0123456789 -.<>/\"=e\n"[static_cast<std::size_t>(random.uniform(0.0, 20.0))];
+    const std::string error = error_text([&] { ph::chain_of<3>(this->read(text)); });
+    EXPECT_FALSE(error.starts_with("not so named")) << error << "\nseed 20040627, file " << k;
+    ++(error == "none" ? read : rejected);
+  }
+  EXPECT_GT(read, 50);
+  EXPECT_GT(rejected, 300);
+}
+
 TEST_F(a_urdf, is_a_regular_file_that_the_parser_can_take) {
   EXPECT_EQ(error_text([&] { ph::read_urdf(folder / "arm.urdf", "a", "b"); }), "no such file");
   const std::string deep = "<robot name='a'>" + [] {

@@ -94,7 +94,7 @@ MISUSES = [
     (lambda: ph.scene(wall, ph.wall(ph.ball([0, 0, 0], 1))), ValueError, "wall 1 of a scene has dimension 3: expected 2"),
     (lambda: shape.distance([0, 0, 0]), ValueError, "length of x = 3: expected 2"),
     # Meshes, worlds and held scenes
-    (lambda: ph.mesh(corners.astype(int), faces), ValueError, "facet 0 of a mesh: height by longest edge = 0, expected > 1e-10; remove "),
+    (lambda: ph.mesh(corners.astype(int), faces), ValueError, "facet 0 of a mesh: height by longest edge = 0: expected > 1e-10; remove "),
     (lambda: ph.mesh(corners.astype(object), faces), TypeError, "vertices has dtype object: expected real numbers: vertices.astype(fl"),
     (lambda: ph.mesh(corners, faces + 0.5), ValueError, "facet 0 of a mesh: index of a vertex = 0.5: expected a whole number"),
     (lambda: ph.mesh(corners, faces > 0), TypeError, "facets has dtype bool: expected real numbers"),

@@ -203,7 +203,7 @@ TEST_F(a_configuration, says_nothing_that_nobody_reads) {
       {"[mechanism]\ntype = \"xy_table\"\n[sensor]\nlink = [1, 1]",
        "4: sensor.link = [ 1, 1 ]: expected 0, as a slide does not rotate the sensor; remove it"},
       {"[sensor]\ngravity = [0, -9.81]",
-       "1: [sensor] handle_mass [kg] = 0, expected > 0 if gravity is given, "},
+       "1: [sensor] handle_mass [kg] = 0: expected > 0 if gravity is given, "},
       {"[sensor]\ntare = false\ntare_tolerance = 0.5",
        "3: sensor.tare_tolerance = 0.5: expected tare = true, without which "},
       {"[sensor]\ntype = \"comedi\"\nrange_of_values = [9, 9, 9, 9, 9, 9]",

@@ -42,7 +42,7 @@ TEST(mesh_parameters, say_what_is_wrong) {
               "facet 7 of a mesh: index of a vertex = " + std::to_string(i) +
                   ": expected 0 or more and less than 8");
   const std::string sliver =
-      " of a mesh: height by longest edge = 0, expected > 1e-10; remove the facet, without_slivers() does";
+      " of a mesh: height by longest edge = 0: expected > 1e-10; remove the facet, without_slivers() does";
   EXPECT_EQ(error_after([](auto& p) { p.facets[7][2] = p.facets[7][0]; }, cube()), "facet 7" + sliver);
   auto s = square();
   s.vertices[1] = s.vertices[0];
@@ -146,10 +146,10 @@ TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
             "the other; remove what is within the solid");
 
   EXPECT_EQ(error_of_solid(sample_meshes::inside_out(cube())),
-            "volume of a mesh_solid [m^3] = -1, expected > 0; swap two vertices of every facet, or use "
+            "volume of a mesh_solid [m^3] = -1: expected > 0; swap two vertices of every facet, or use "
             "complement() for a room");
   EXPECT_EQ(error_of_solid(sample_meshes::inside_out(square())),
-            "area of a mesh_solid [m^2] = -1, expected > 0; swap two vertices of every facet, or use "
+            "area of a mesh_solid [m^2] = -1: expected > 0; swap two vertices of every facet, or use "
             "complement() for a room");
   EXPECT_THROW(ph::mesh_solid<3>{ph::triangle_mesh(sample_meshes::inside_out(cube()))},
                std::invalid_argument);

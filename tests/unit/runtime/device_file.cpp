@@ -200,7 +200,7 @@ constexpr mistake mistakes[] = {
     {usual, "[[walls]]\n[walls.motion]\nfrequency = -1",
      ":3: [walls[0].motion] frequency of a wall's motion [Hz] = -1: expected a finite number >= 0"},
     {usual, "[[walls]]\n[walls.motion]\namplitude = [0, 0.01]",
-     ":2: [walls[0].motion] frequency of a wall's motion [Hz] = 0, expected > 0 with an amplitude"},
+     ":2: [walls[0].motion] frequency of a wall's motion [Hz] = 0: expected > 0 with an amplitude"},
     {usual, "[[walls]]\n[walls.motion]\nbelt_velocity = 0.1",
      ":3: walls[0].motion.belt_velocity = 0.1: expected 2 numbers: a finite number [m/s]"},
     {usual, "[[walls]]\n[walls.motoin]\nfrequency = 1",

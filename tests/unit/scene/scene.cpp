@@ -220,7 +220,7 @@ TEST(a_controller, rejects_a_wall_through_which_its_law_presses) {
   const ph::velocity_direct_control law;
   const ph::rectangle plate({0, 0}, {0.1, 0.0025}), block({0, 0}, {0.1, 0.003});
   const std::string text =
-      "thickness of wall 1 of a scene [m] = 0.005, expected >= 0.006, three times the rest_depth of the law; "
+      "thickness of wall 1 of a scene [m] = 0.005: expected >= 0.006, three times the rest_depth of the law; "
       "use a world for a thinner wall";
   const auto scene_with = [](const auto& shape) { return ph::scene(ph::wall(floor_below), ph::wall(shape)); };
   const auto rejection_of = [&](const auto& scene) {

@@ -404,7 +404,7 @@ TEST(a_shape, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(validate(triangle{{{{0, 0}, {1, 0}, {0, 0}}}}),
             "corner 2 of a convex_polygon equals the next one: expected distinct corners");
   EXPECT_EQ(validate(triangle{{{{0, 0}, {1, 0}, {2, 0}}}}),
-            "area of a convex_polygon [m^2] = 0, expected > 0");
+            "area of a convex_polygon [m^2] = 0: expected > 0");
   using quadrilateral = ph::convex_polygon_parameters<4>;
   EXPECT_EQ(validate(quadrilateral{{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}}),
             "corner 3 of a convex_polygon lies outside the edge after corner 1: expected a convex polygon");
@@ -415,7 +415,7 @@ TEST(a_shape, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(validate(quadrilateral{{{{0, 0}, {0, 0}, {1, 0}, {0, 1}}}}),
             "corner 0 of a convex_polygon equals the next one: expected distinct corners");
   EXPECT_EQ(validate(quadrilateral{{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}}),
-            "area of a convex_polygon [m^2] = 0, expected > 0")
+            "area of a convex_polygon [m^2] = 0: expected > 0")
       << "one loop each way round";
   for (const auto& corner : quadrilateral().corners) EXPECT_EQ(corner, ph::point<2>(0, 0));
   ph::convex_polygon_parameters<5> star;

@@ -40,7 +40,7 @@ inline std::string foreign_file_error(std::string_view bytes) {
       {"version https://git-lfs.github.com/"sv, "a Git LFS pointer, not the file"sv,
        "expected what it points to; run `git lfs pull`"sv}};
   for (const auto& [mark, found, expected] : kinds)
-    if (bytes.starts_with(mark)) return std::string(found).append(", ").append(expected);
+    if (bytes.starts_with(mark)) return std::string(found).append(": ").append(expected);
   bytes.remove_prefix(std::min(bytes.find_first_not_of("\xef\xbb\xbf \t\r\n"), bytes.size()));
   if (!is_keyword(bytes.substr(0, 14), "<!doctype html") && !is_keyword(bytes.substr(0, 5), "<html"))
     return "";
