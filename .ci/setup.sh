@@ -116,7 +116,7 @@ check_build_folder() {
   local folder=$build/$1 made=
   made_here "$folder" || made="in $(cached "$folder" CMAKE_CACHEFILE_DIR), then copied or moved"
   [[ $made ]] || made_by_cxx "$1" || made="by $(cached "$folder" CMAKE_CXX_COMPILER), but CXX is $CXX"
-  [[ ! $made ]] || fail "build/$1 was made $made. To build anew, remove it: rm -rf $(printf %q "$folder")"
+  [[ ! $made ]] || fail "build/$1 was made $made. To build again, remove it: rm -rf $(printf %q "$folder")"
 }
 
 # build_preset PRESET [TARGET...]: configures and builds into build/PRESET.

@@ -1,5 +1,5 @@
-#include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/interop/urdf.hpp>
+#include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/scene/files/stl.hpp>
 

@@ -56,7 +56,7 @@ command_line::command_line(const std::string& name, const std::string& about)
     : all_(std::make_unique<options>(about, name)) {
   if (!passive_haptics::open_standard_descriptors())
     fail(std::string("/dev/null: ") + std::strerror(errno) +
-             ": expected it in place of a closed descriptor; start the program with descriptors 0 to 2 open",
+             ": expected it instead of a closed descriptor; start the program with descriptors 0 to 2 open",
          1);
   // A failing write must neither end the program nor change its exit status
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);

@@ -61,7 +61,8 @@ class output_file {
     stream_.flush();
     if (buffer_.error == 0 && fsync(descriptor_) != 0) buffer_.error = errno;
     if (is_removed())
-      throw std::runtime_error("cannot write '" + part_ + "': it was removed: expected it to be left alone");
+      throw std::runtime_error("cannot write '" + part_ +
+                               "': it was removed: expected it to stay until it is complete");
     if (buffer_.error != 0)
       throw std::runtime_error("cannot write all of '" + part_ + "': " + error() +
                                ": expected room for it; make room, or choose another folder");

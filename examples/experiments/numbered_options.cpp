@@ -16,8 +16,7 @@ part_file read(const std::string& name) {
   std::ostringstream content;
   if (file) content << file.rdbuf();
   if (!file || file.bad() || std::filesystem::is_directory(name))
-    throw std::invalid_argument("cannot read '" + name +
-                                "': expected a file of experiments; give its name anew");
+    throw std::invalid_argument("cannot read '" + name + "': expected a file of experiments; check its name");
   return {name, content.str()};
 }
 
@@ -26,7 +25,7 @@ part_file read(const std::string& name) {
 void numbered_options::add_to(example::command_line& line) {
   line.whole_number(
       "--first", first_,
-      "random plants and hands from this number on, in place of all else (docs/guide/batch.md)");
+      "random plants and hands from this number on, instead of everything else (docs/guide/batch.md)");
   line.whole_number("--last", last_, "up to this number; they make one CSV file");
   line.files("--merge", parts_, "such files, parts of --first to --last: writes what one run of all writes");
 }

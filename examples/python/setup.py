@@ -89,7 +89,7 @@ setup(
     ext_modules=[Extension("passive_haptics._native", [])],
     long_description=open(os.path.join(root, "README.md"), encoding="utf-8").read(),
     long_description_content_type="text/markdown",
-    # What is built with an older pybind11 crashes beside NumPy 2
+    # A module built with an older pybind11 crashes with NumPy 2
     install_requires=["numpy<2" if pybind11.version_info < (2, 12) else "numpy"],
     cmdclass={"build_ext": build_by_cmake, "sdist": sdist_with_library, "bdist_wheel": wheel_with_license},
     options={

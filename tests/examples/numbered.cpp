@@ -76,8 +76,8 @@ TEST_F(numbered, refuses_parts_that_are_not_each_experiment_once) {
         {"first without_its_end", "'without_its_end', line 21" + copy},
         {"of_a_large_number", "'of_a_large_number', line 2" + copy},
         {"first without_a_head", "'without_a_head'" + its_head},
-        {"first none", "cannot read 'none': expected a file of experiments; give its name anew"},
-        {"first .", "cannot read '.': expected a file of experiments; give its name anew"}}) {
+        {"first none", "cannot read 'none': expected a file of experiments; check its name"},
+        {"first .", "cannot read '.': expected a file of experiments; check its name"}}) {
     const outcome o = run("--first 0 --last 29 --output merged --merge " + std::string(files));
     EXPECT_EQ(o.status, 1) << files;
     EXPECT_EQ(o.err, "error: " + message + "\n");

@@ -53,7 +53,7 @@ TEST_F(run_scripts, name_the_command_that_removes_a_build_folder_which_was_moved
     EXPECT_EQ(refused.status, 1);
     const std::string say = std::string("error: build/") + preset +
                             " was made in /moved/from/here, then copied or moved. "
-                            "To build anew, remove it: ";
+                            "To build again, remove it: ";
     const std::size_t at = refused.err.find(say);
     ASSERT_NE(at, std::string::npos) << refused.err;
     const std::string rest = refused.err.substr(at + say.size());
@@ -73,7 +73,7 @@ TEST_F(run_scripts, name_the_command_that_removes_a_build_folder_of_another_comp
   const outcome refused = run("examples/run one", "CXX=clang++");
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.err.find("error: build/examples was made by " + (here / "bin/g++").string() +
-                             ", but CXX is clang++. To build anew, remove it: rm -rf "),
+                             ", but CXX is clang++. To build again, remove it: rm -rf "),
             std::string::npos)
       << refused.err;
   // Where the preset names its compiler, CXX does not count

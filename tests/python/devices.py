@@ -112,6 +112,6 @@ class Case:
 
 
 def pairs():
-    """Pairs of a device and a law whose cycles are compared; tests/unit/runtime compares the controllers of all."""
+    """The compared pairs of a device and a law; tests/unit/runtime compares the controllers of all."""
     compared = ("tendon_two_link", "delta", "planar_chain_3")
     return [(device, law) for device in compared for law in LAWS] + [("tendon_two_link", law) for law in OTHER_LAWS]

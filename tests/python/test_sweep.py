@@ -42,7 +42,7 @@ def seeds_in(log):
 
 
 def known_in(file):
-    """The items whose results a file has."""
+    """The items with results in a file."""
     with _results_in(file) as results:
         return {pickle.loads(item) for (item,) in results.execute("SELECT item FROM results")}
 

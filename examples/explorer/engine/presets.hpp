@@ -53,7 +53,7 @@ inline constexpr preset presets[] = {
      "F_d3 points along the motion: only a motor could make it, and no brake is commanded.",
      PAPER_ARM "Fd=0.5,-0.6\n"},
     {"fig4", "Figure 4: a wall along an axis",
-     "The wall's force points along a reference force: brake 2 alone displays its direction exactly, and "
+     "The wall's force points along a reference force: only brake 2 displays its direction exactly, and "
      "the hand slides on.",
      "mechanism=xy_table\nbrakes.torque_limit=5,5\nscene=plane:0,0.05,0,-1\nlaw=no_direct_control\n"
      "q=0.02,0.0502\nqd=0.05,0.01\nFh=0.5,1.5\n"},

@@ -1,4 +1,4 @@
-// A mechanism whose functions are written in Python, for python_mechanism.py of the package.
+// A mechanism with functions written in Python, for python_mechanism.py of the package.
 #include "devices.hpp"
 
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>

@@ -81,7 +81,7 @@ std::string plausibility(const M& mechanism, const std::vector<State>& states) {
   };
   const auto cycles = static_cast<double>(states.size());
   if (s.standing > 0.1 * cycles)
-    remark("cycles in which the time stands still", s.standing, "none: is the state filled anew in each?");
+    remark("cycles in which the time stands still", s.standing, "none: is the state updated in each?");
   if (s.backward > 0) remark("cycles in which the time runs backwards", s.backward, "none: another clock?");
   if (s.max_step > 0.5) remark("longest time step [s]", s.max_step, "0.0001 to 0.01: milliseconds?");
 

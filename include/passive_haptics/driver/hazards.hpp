@@ -106,7 +106,7 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
        "start the program again"},
       {"Loop and supervisor die or are stopped", "the device's watchdog", p.watchdog > 0 ? p.watchdog : never,
        "start the program again"},
-      {"On a bench: a bad sample, a refused current, a clock that stands still or jumps", "record_on_bench",
+      {"On a bench: a bad sample, a rejected current, a clock that stands still or jumps", "record_on_bench",
        p.bench_hold_over + cycle, "start the test again"},
       {"On a bench: the test does not end by its samples", "record_on_bench: this machine's clock",
        p.bench_overtime + cycle, "start the test again"},

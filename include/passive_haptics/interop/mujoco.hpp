@@ -248,10 +248,10 @@ class mujoco_device : public moving_device<M, Model> {
       d.qpos[joint_[i]] = this->q()[i];  // of joints with one number each, in qpos where it is in qvel
       d.qvel[joint_[i]] = this->qd()[i];
     }
-    // MuJoCo's gravity acts on the hand's mass, whose weight the hand carries
+    // MuJoCo's gravity acts on the hand's mass, but the hand carries its own weight
     Eigen::Map<task_vector<M>>(d.xfrc_applied + 6 * handle_) = muscle_force - gravity_of_hand_;
     mj_forward(&m, &d);
-    mj_Euler(&m, &d);  // the two are mj_step, but for its reset of a motion that is not finite
+    mj_Euler(&m, &d);  // the two are mj_step without its reset of a motion that is not finite
     brake_vector<M> torque = brake_vector<M>::Zero();
     for (int row = 0; row < d.nefc; ++row)
       if (d.efc_type[row] == mjCNSTR_FRICTION_TENDON)
@@ -275,7 +275,7 @@ class mujoco_device : public moving_device<M, Model> {
 
   /// MuJoCo's own.
   const mjModel& model() const { return *model_; }
-  /// MuJoCo's own: before the last step, but for qpos and qvel.
+  /// MuJoCo's data: before the last step, except qpos and qvel.
   const mjData& data() const { return *data_; }
 
  private:

@@ -232,7 +232,7 @@ inline matrix<double, 3, 3> urdf_moments(const urdf::Link& link, urdf_chain& to,
   if (!about.allFinite() || !vector_of(i.origin.position).allFinite())
     fail_urdf(to.name, at + "its inertial element is not finite: expected finite numbers");
   if (check_inertia<double>("", about).empty()) return about;
-  // int r r^T dm, whose principal values are half the excess of two principal moments over the third
+  // int r r^T dm: its principal values are half the excess of two principal moments over the third
   const matrix<double, 3, 3> unit = matrix<double, 3, 3>::Identity();
   const Eigen::SelfAdjointEigenSolver<matrix<double, 3, 3>> principal(about.trace() / 2 * unit - about);
   const vector<double, 3> excess = principal.eigenvalues(),

@@ -46,7 +46,7 @@ class moving_device {
   /// Mean torque of the brakes in the last step [N m]: friction, commanded and residual, and commanded drag.
   const brake_vector<M>& brake_torque() const { return brake_torque_; }
   /// t_i w_i of it with the rates at the end of the last step [W]. A simulated_device keeps it <= 0 to
-  /// rounding, but for what a compliance gives back.
+  /// rounding, unless a compliance returns energy.
   const brake_vector<M>& brake_power() const { return brake_power_; }
   /// What the brakes could hold at rest now by command [N m], without residual friction.
   const brake_vector<M>& brake_strength() const { return strength_; }
@@ -75,7 +75,7 @@ class moving_device {
   }
 
  protected:
-  /// A step whose brakes are known and whose motion is not.
+  /// A step with known brakes and unknown motion.
   struct step {
     scalar dt;                    ///< [s]
     task_vector<M> muscle_force;  ///< Of the hand [N].

@@ -85,7 +85,7 @@ struct no_observer {
 
 }  // namespace detail
 
-/// Runs the experiment: the hand moves a Plant along `shape` (the wall whose depth is measured) until the
+/// Runs the experiment: the hand moves a Plant along `shape` (the measured wall) until the
 /// end of the path, for at most `max_duration`, while the depth is finite and at most `max_depth`. So each
 /// run ends, and contact_metrics::end says how.
 ///

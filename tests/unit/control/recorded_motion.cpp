@@ -60,9 +60,8 @@ TEST(recorded_motion, has_nothing_odd) {
 
 TEST(recorded_motion, shows_a_wrong_clock) {
   const auto starts = [](const std::string& text, const char* with) { return text.rfind(with, 0) == 0; };
-  EXPECT_EQ(
-      said_after([](auto& s) { s.time = 7; }),
-      "cycles in which the time stands still = 1999, usually none: is the state filled anew in each?\n");
+  EXPECT_EQ(said_after([](auto& s) { s.time = 7; }),
+            "cycles in which the time stands still = 1999, usually none: is the state updated in each?\n");
   EXPECT_TRUE(starts(said_after([](auto& s) { s.time *= 1000; }),
                      "longest time step [s] = 1, usually 0.0001 to 0.01: milliseconds?\n"));
   EXPECT_TRUE(starts(said_after([](auto& s) { s.time = -s.time; }),

@@ -14,7 +14,7 @@ ABOUT = {
     "five_bar_with_four_brakes": "A five-bar with brakes on both base joints, their difference and their sum.",
     "delta": "Three arms that move a platform in space without turning it.",
     "direct_control": "The paper's direct control (7)-(12).",
-    "saturated_direct_control": "Direct control whose alpha scales torques that are already cut to the limits. Of several "
+    "saturated_direct_control": "Direct control with an alpha that scales torques already within the limits. Of several "
     "walls it gets the one with the largest force.",
     "velocity_direct_control": "The recommended law of a mechanism with inertia and a force sensor.",
     "on_off_control": "The whole approximated force or none, by a relay: the recommended law of other devices.",
@@ -25,7 +25,7 @@ ABOUT = {
     "capsule": "A rounded bar.",
     "convex_polytope": "The common part of half-spaces: 2 to 4 faces in the plane, 4 to 8 in space.",
     "convex_polygon": "A convex polygon in the plane, of 3 to 8 corners [m], either way round.",
-    "offset": "A shape whose surface moves this far [m] to the free side; a negative growth shrinks it.",
+    "offset": "A shape with its surface moved this far [m] to the free side; a negative growth shrinks it.",
     "complement": "A shape with wall and free space swapped.",
     "viscous_field": "A resistance to all motion, F = -B v. No motion may be driven by the matrix.",
     "guide": "A resistance to what leaves a line or a plane; motion along it and back is free.",
@@ -33,7 +33,7 @@ ABOUT = {
     "rough_walls": "Friction on all walls that are touched, under the load with which the hand presses.",
     "end_stops": "Limits of the joints, which resist motion further out.",
     "coulomb": "Friction that follows its command with a lag.",
-    "stribeck": "A coulomb_brake whose friction is larger at rest.",
+    "stribeck": "A coulomb_brake with more friction at rest.",
     "eddy_current": "Drag by eddy currents: no torque at rest.",
     "magnetorheological": "A magnetorheological brake, with saturation and hysteresis.",
     "presliding": "A coulomb_brake that turns elastically before it slips.",

@@ -1,4 +1,4 @@
-"""A mechanism whose functions are written in Python."""
+"""A mechanism with functions written in Python."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Function = collections.abc.Callable[[Array], Any]
 
 
 class python_mechanism(mechanism):
-    """A mechanism whose functions are written in Python, a brake on each of its joints.
+    """A mechanism with functions written in Python, a brake on each of its joints.
 
     It does all that a compiled one does, slower: each call of a function takes microseconds. An exception of a function
     comes out of the call as it is. NaN ends a cycle with a status.

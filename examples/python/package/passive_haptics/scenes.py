@@ -14,7 +14,7 @@ from passive_haptics.catalogue_values import effect, shape
 from passive_haptics.values import expect, number, value
 
 LARGEST_SHOWN = 20
-"""Vertices or facets of a mesh whose repr has them all."""
+"""Vertices or facets of a mesh, with a repr of all of them."""
 
 
 class mesh(value):
@@ -59,7 +59,7 @@ class mesh(value):
         return int(self.vertices.shape[1])
 
     def plausibility(self, reach: float) -> str:
-        """A line for each thing that looks odd beside a device of this reach [m]; "" if there is none."""
+        """A line for each implausible property, for a device of this reach [m]; "" if there is none."""
         return str(self._held.plausibility(number(reach, "reach")))
 
     @property

@@ -124,7 +124,7 @@ def follow_wall(
     *,
     record: bool = False,
 ) -> tuple[contact_metrics, Records]:
-    """The wall-following experiment: a hand moves the device along a shape, the wall whose depth is measured, under a
+    """The wall-following experiment: a hand moves the device along a shape, the measured wall, under a
     controller. Ctrl-C ends it.
 
     The device and the controller go on from where they are; time begins at 0, so reset() a controller that has run before.
