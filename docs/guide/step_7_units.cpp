@@ -11,7 +11,7 @@ int main() {
   measured.encoders.counts_per_turn = {8192, -8192};  // the second encoder counts backwards
   for (ph::brake_curve& brake : measured.brakes)
     brake = {.residual_torque = 0.02, .torque_per_ampere = 2, .current_limit = 0.5};
-  const ph::planar_sensor_frame<2> on_the_last_link{.link = {1, 1}};
+  const ph::planar_sensor_frame<2> on_the_last_link{.link = {1, 1}};  // rotates with q1 + q2
   ph::device_calibration calibration(arm, measured, on_the_last_link);
   calibration.encoders.set_zero_count({1200, -340});  // the counts at q = 0, found by homing
 
