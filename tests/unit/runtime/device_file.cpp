@@ -168,8 +168,7 @@ constexpr mistake mistakes[] = {
     {in_space, "[[walls]]\nsurface_point = [0, 0]\nnormal = [0, 0, 1]",
      ":4: walls[0].surface_point = [ 0, 0 ]: expected 3 numbers: a finite number [m]"},
     {usual, "[[walls]]\ntype = \"mesh_surface\"",
-     ":2: walls[0].type = 'mesh_surface': expected one of \"half_space\", ...; the mechanism moves in the "
-     "plane"},
+     ":2: walls[0].type = 'mesh_surface': expected one of \"half_space\", ...; the mechanism is planar"},
     {in_space, "[[walls]]\ntype = \"mesh_surface\"\nfile = \"nothing.stl\"",
      ":5: [walls[0]] mesh file nothing.stl: no such file"},
     {in_space, "[[walls]]\ntype = \"mesh_surface\"\nfile = \"part.step\"",
@@ -218,11 +217,10 @@ constexpr mistake mistakes[] = {
     {usual, "[scene]\nrate = 20", ":2: unknown key 'scene.rate': expected one of period"},
     // effects
     {usual, "[[effects]]\nstrength = 2",
-     ":1: effects[0].type is missing: expected one of \"viscous_field\", ...; the mechanism moves in the "
-     "plane"},
+     ":1: effects[0].type is missing: expected one of \"viscous_field\", ...; the mechanism is planar"},
     {usual, "[[effects]]\ntype = \"detent\"",
-     ":2: effects[0].type = 'detent': expected one of \"viscous_field\", ...; the mechanism moves in the "
-     "plane; did you mean \"detents\"?"},
+     ":2: effects[0].type = 'detent': expected one of \"viscous_field\", ...; the mechanism is planar; did "
+     "you mean \"detents\"?"},
     {usual, "[[effects]]\ntype = \"detents\"\nspacing = 0\n[law]\ntype = \"direct_control\"",
      ":3: [effects[0]] spacing of detents [m] = 0: expected a finite number > 0"},
     {usual,
