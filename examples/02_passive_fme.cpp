@@ -15,8 +15,9 @@ using device = ph::two_link<double>;
 using force = ph::vector<double, 2>;
 
 int main(int argc, char** argv) try {
-  const auto directory = example::output_directory(
-      argc, argv, "passive_fme", "What two brakes can display: a table, passive_fme.svg and its data.");
+  const auto directory =
+      example::output_directory(argc, argv, "passive_fme",
+                                "Forces that two brakes can display: a table, passive_fme.svg and its data.");
   const device arm({.length_1 = 1, .length_2 = 1});
   const ph::joint_vector<device> q(ph::radians(45.0), ph::radians(90.0));
   const ph::brakes_of<device> brakes;

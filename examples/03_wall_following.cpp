@@ -177,9 +177,8 @@ int main(int argc, char** argv) try {
   example::command_line line("wall_following",
                              "The paper's device along a virtual wall: a table, gliding.svg, "
                              "wall_following.svg, and a log of each run in it.");
-  line.port(
-      "--live", live_port,
-      "send the logged runs to this UDP port of this machine as they pass, as JSON (docs/guide/log.md)");
+  line.port("--live", live_port,
+            "send the logged runs to this local UDP port as JSON while they run (docs/guide/log.md)");
   line.output(directory);
   line.parse(argc, argv);
 

@@ -93,8 +93,7 @@ double nanoseconds_each(const std::vector<ph::point<3>>& path, std::size_t strid
 
 int main(int argc, char** argv) try {
   const auto directory = example::output_directory(
-      argc, argv, "large_scene",
-      "What a cycle pays for a large scene: a table, large_scene.svg and its data.");
+      argc, argv, "large_scene", "Cost of a cycle in a large scene: a table, large_scene.svg and its data.");
   const auto path = wandering();
   const auto surface = hill();
   std::ostringstream data;

@@ -574,13 +574,14 @@ int main(int argc, char** argv) try {
   bool all_arms = false;
   example::command_line line(
       "experiments",
-      "The paper's experiments and more, minutes of them: a table, experiments.csv and pictures.");
+      "The paper's experiments and more, in some minutes: tables, experiments.csv and pictures.");
   line.choice("section", section, {"corners", "scenes", "wide"},
-              "only this section, some minutes; no other run has it");
-  line.flag("--arms", all_arms, "no more than the whole table of arms, some minutes; else a sample of it");
+              "run only this section (some minutes); a plain run omits it");
+  line.flag("--arms", all_arms,
+            "run only the whole table of arms (some minutes); a plain run has a sample of it");
   std::string plant = "own";
   line.choice("--plant", plant, {"own", "mujoco"},
-              "with mujoco only Figs. 8 to 10, in both simulations, some minutes; needs libmujoco-dev");
+              "mujoco: run only Figs. 8 to 10, in both simulations (some minutes); needs libmujoco-dev");
   numbered_options numbered;
   numbered.add_to(line);
   line.output(directory);

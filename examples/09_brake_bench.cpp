@@ -163,10 +163,9 @@ void identify(const bench_test& record, const std::filesystem::path& directory) 
 int main(int argc, char** argv) try {
   std::string which = "magnetorheological";
   std::filesystem::path directory;
-  example::command_line line(
-      "brake_bench",
-      "What three tests on a bench find of a brake: its constants, the samples as CSV, and brakes.toml "
-      "for brake_driver.");
+  example::command_line line("brake_bench",
+                             "Constants of a brake from three tests on a bench, the samples as CSV, and "
+                             "brakes.toml for brake_driver.");
   line.choice("--brake", which, {"coulomb", "magnetorheological", "stribeck", "eddy_current"},
               "on the bench");
   line.output(directory);

@@ -36,9 +36,9 @@ std::string map_of(const Candidate& device) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const auto directory = example::output_directory(argc, argv, "design",
-                                                   "Which device is better for a task, and what motors would "
-                                                   "buy: tables, maps over the workspace as CSV, pictures.");
+  const auto directory = example::output_directory(
+      argc, argv, "design",
+      "Compares devices for a task, also with motors: tables, maps over the workspace as CSV, pictures.");
 
   std::printf(
       "Along walls in 16 directions, everywhere in the workspace; brakes of 1 N m, a push of %g N:\n\n",

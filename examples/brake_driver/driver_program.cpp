@@ -28,25 +28,25 @@ arguments parse(int argc, char** argv) {
       "brake_driver",
       "Reads a device's encoders and force sensor, displays virtual walls with its brakes, and releases "
       "them\n"
-      "when anything is wrong. Without --config: the paper's device, simulated, for 10 s.");
+      "after any fault. Without --config: the paper's device, simulated, for 10 s.");
   line.text("--config", all.config, "FILE",
-            "the device (docs/guide/device.md), and how it is connected (examples/brake_driver/*.toml)");
-  line.flag("--simulate", all.simulate, "a simulated device in place of the one that the file names");
+            "the device (docs/guide/device.md) and its connection (examples/brake_driver/*.toml)");
+  line.flag("--simulate", all.simulate, "use a simulated device instead of the one in the file");
   line.positive("--seconds", all.options.seconds,
-                "end after so long; otherwise Ctrl-C ends it, which releases the brakes first");
-  line.flag("--check", all.check, "only say whether the configuration is right, and where home is");
-  line.flag("--limits", all.limits, "only say what the first wall can be (docs/guide/design.md)");
+                "stop after this time; Ctrl-C releases the brakes and stops earlier");
+  line.flag("--check", all.check, "only check the configuration and print the home position");
+  line.flag("--limits", all.limits, "only print the limits of the first wall (docs/guide/design.md)");
   line.flag("--quiet", quiet, "no live table");
   line.port("--live", all.options.live_port,
-            "send the log to this UDP port of this machine as it comes, as JSON (docs/guide/log.md)");
+            "send the log to this local UDP port as JSON (docs/guide/log.md)");
   line.output(all.directory);
   line.notes(
-      "Next to the log is its device file; `replay LOG` makes the same decisions (docs/guide/log.md).\n"
-      "Signals: SIGINT (Ctrl-C), SIGTERM and SIGHUP release and end; SIGUSR1 rearms after a fault that is "
-      "over,\n"
-      "if it comes after the release.\n"
-      "Exit status: 0; 1 if the device is not there; 2 for a mistake in the options or the file;\n"
-      "3 if a fault released the brakes, rearmed or not, 4 if the log is not whole, 7 for both.");
+      "The device file is written next to the log; `replay LOG` repeats its decisions (docs/guide/log.md).\n"
+      "Signals: SIGINT (Ctrl-C), SIGTERM and SIGHUP release the brakes and stop; SIGUSR1 rearms after a "
+      "fault,\n"
+      "if it arrives after the release.\n"
+      "Exit status: 0; 1 if the device cannot be opened; 2 for an error in the options or the file;\n"
+      "3 if a fault released the brakes, rearmed or not; 4 if the log is incomplete; 7 for both.");
   line.parse(argc, argv);
   all.options.live = !quiet;
   if (all.config.empty() && std::isinf(all.options.seconds)) all.options.seconds = 10;
@@ -64,7 +64,7 @@ int driver_program(int argc, char** argv) try {
   for (std::string line; std::getline(unusual, line);) std::cerr << "remark: " << line << "\n";
   if (chosen.check) {
     std::cout << (chosen.config.empty() ? "the built-in configuration" : chosen.config)
-              << " is right: " << summary(c) << "\n"
+              << " is valid: " << summary(c) << "\n"
               << home_in_words(c);
     return 0;
   }

@@ -115,7 +115,8 @@ void command_line::port(const std::string& option, int& value, const std::string
 
 void command_line::output(std::filesystem::path& directory) {
   all_->output = &directory;
-  all_->add("--output", directory, "DIR", "where the files go, made if it is not there (default: here)")
+  all_->add("--output", directory, "DIR",
+            "directory of the files; created if it does not exist (default: here)")
       ->take_last()
       ->check(not_empty);
 }

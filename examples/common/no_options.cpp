@@ -4,7 +4,7 @@
 
 extern "C" int __real_main();
 extern "C" int __wrap_main(int argc, char** argv) {
-  example::command_line line(EXAMPLE_NAME, "All that it does is in examples/" EXAMPLE_FILE ".");
+  example::command_line line(EXAMPLE_NAME, "The whole program is examples/" EXAMPLE_FILE ".");
   line.parse(argc, argv);
   return __real_main();
 }

@@ -23,11 +23,10 @@ part_file read(const std::string& name) {
 }  // namespace
 
 void numbered_options::add_to(example::command_line& line) {
-  line.whole_number(
-      "--first", first_,
-      "random plants and hands from this number on, instead of everything else (docs/guide/batch.md)");
-  line.whole_number("--last", last_, "up to this number; they make one CSV file");
-  line.files("--merge", parts_, "such files, parts of --first to --last: writes what one run of all writes");
+  line.whole_number("--first", first_,
+                    "run only random plants and hands, from this number on (docs/guide/batch.md)");
+  line.whole_number("--last", last_, "up to this number; writes one CSV file");
+  line.files("--merge", parts_, "merge such files into the file that a single run would write");
 }
 
 number_range numbered_options::range() const {

@@ -37,14 +37,14 @@ replay_options parse(int argc, char** argv) {
   command_line line(
       "replay",
       "Runs each line of a log (docs/guide/log.md) through the control law of its device, writes the\n"
-      "decisions to replay.csv, and prints how many capacities are those of the log, to the last digit.");
-  line.text("LOG", chosen.log, "", "without it a short log of the paper's device under direct_control");
-  line.text("--config", chosen.config, "FILE",
-            "the device (docs/guide/device.md); without it LOG.device.toml, which brake_driver wrote next to "
-            "LOG.csv");
+      "decisions to replay.csv, and prints how many capacities are equal to those of the log, bit by bit.");
+  line.text("LOG", chosen.log, "", "default: a short log of the paper's device under direct_control");
+  line.text(
+      "--config", chosen.config, "FILE",
+      "the device (docs/guide/device.md); default: LOG.device.toml, written by brake_driver next to LOG.csv");
   line.output(chosen.directory);
   line.notes(
-      "Exit status: 0; 1 if a file cannot be read or written; 2 for a mistake in the options or the device "
+      "Exit status: 0; 1 if a file cannot be read or written; 2 for an error in the options or the device "
       "file.");
   line.parse(argc, argv);
   return chosen;

@@ -1,4 +1,4 @@
-"""Draws the passive FMEs of the paper's device, a wall, the force that it demands and what the brakes make of it."""
+"""Draws the passive FMEs of the paper's device, a wall, the desired force and the displayed force."""
 
 import argparse
 import os

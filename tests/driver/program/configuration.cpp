@@ -26,7 +26,7 @@ TEST_F(a_configuration, that_is_shipped_is_right) {
     if (one.path().extension() != ".toml") continue;
     const outcome o = run({"--config", one.path(), "--check"});
     EXPECT_EQ(o.status, 0) << one.path() << o.err;
-    EXPECT_TRUE(has(o.out, " is right: ")) << o.out;
+    EXPECT_TRUE(has(o.out, " is valid: ")) << o.out;
     ++count;
   }
   EXPECT_GE(count, 4);
@@ -36,7 +36,7 @@ TEST_F(a_configuration, of_a_urdf_is_right_or_names_the_package_that_is_missing)
   const outcome o = run({"--config", PASSIVE_HAPTICS_GUIDE_DIR "/urdf.toml", "--check"});
   if (has(o.err, "liburdfdom-dev")) return;
   EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_TRUE(has(o.out, "urdf.toml is right: spatial_chain_7_with_inertia, simulated device")) << o.out;
+  EXPECT_TRUE(has(o.out, "urdf.toml is valid: spatial_chain_7_with_inertia, simulated device")) << o.out;
 }
 
 TEST_F(a_configuration, tells_what_its_wall_can_be) {
@@ -63,7 +63,7 @@ TEST_F(a_configuration, of_another_mechanism_or_without_a_file_is_right) {
       check("[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\nlink = [0, 0]\n");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(o.out.starts_with(
-      "c.toml is right: five_bar, simulated device, simulated force sensor, velocity_direct_control\n"))
+      "c.toml is valid: five_bar, simulated device, simulated force sensor, velocity_direct_control\n"))
       << o.out;
 }
 
