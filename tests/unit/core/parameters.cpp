@@ -159,7 +159,7 @@ TEST(parameters, of_experiments_are_checked) {
   };
   P p;
   p.control_period = p.time_step / 2;
-  expect_error(p, "control_period [s] = 5e-05: expected at least time_step, 0.0001", follow);
+  expect_error(p, "control_period [s] = 5e-5: expected at least time_step, 0.0001", follow);
   p = {}, p.control_period = 0;
   expect_error(p, "control_period [s] = 0: expected a finite number > 0", follow);
   p = {}, p.time_step = 0;
