@@ -266,7 +266,7 @@ def test_guide_draws_its_pictures(tmp_path):
 def test_what_cannot_be_drawn_is_refused():
     arm = ph.two_link()
     for draw in (plots.draw_passive_fmes, plots.draw_device):
-        with pytest.raises(ValueError, match="device = delta, "):
+        with pytest.raises(ValueError, match="device = delta: "):
             draw(ph.delta(), [0.5, 0.5, 0.5])
     with pytest.raises(ValueError, match=r"velocity = \[0.0, 0.0\]: expected two finite numbers, not both 0"):
         plots.draw_passive_fmes(arm, [0.7, 0.8], velocity=[0, 0])
