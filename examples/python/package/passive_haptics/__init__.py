@@ -1,6 +1,6 @@
-"""Haptic devices with brakes in place of motors: the C++ library passive_haptics from Python.
+"""Haptic devices with brakes instead of motors: the C++ library passive_haptics in Python.
 
-A controller is made of a mechanism, its brakes, a scene and a law, and called once a cycle or for many states in one call:
+A controller combines a mechanism, its brakes, a scene and a law. Call it once per cycle, or for a batch of states:
 
     arm = passive_haptics.tendon_two_link()
     wall = passive_haptics.wall(passive_haptics.half_space([0, 0.225], [0, -1]))
@@ -63,7 +63,7 @@ __all__ = [
 
 
 def include_folders() -> list[str]:
-    """The folders of the headers with which a mechanism of your own is added: of this library, and of Eigen."""
+    """The include directories for a custom mechanism in C++: those of this library and of Eigen."""
     return [os.path.join(os.path.dirname(__file__), "include"), "/usr/include/eigen3"]
 
 
@@ -75,7 +75,7 @@ def __dir__() -> list[str]:
 
 
 def __getattr__(name: str) -> Any:
-    """The modules of pictures and sweeps, which are imported by their first use."""
+    """Imports the modules of pictures and sweeps at their first use."""
     if name in _LATER:
         return importlib.import_module(f"passive_haptics.{name}")
     raise AttributeError(f"module 'passive_haptics' has no attribute {name!r}")

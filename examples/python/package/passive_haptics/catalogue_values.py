@@ -1,5 +1,5 @@
-"""The base classes of what the catalogue of the library has by name: laws, shapes, effects, brake models; of
-tables of parameters, too."""
+"""The base classes of the entries of the library's catalogue (laws, shapes, effects, brake models) and of
+tables of parameters."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ class law(catalogue_value):
 
 
 class brake_model(catalogue_value):
-    """What one brake of a simulated device makes of a command."""
+    """The response of one brake of a simulated device to a command."""
 
     _list = "brake_model"
 
 
 class _in_a_dimension(catalogue_value):
-    """Made of vectors of 2 numbers in the plane, of 3 in space: the first vector says which."""
+    """A value with vectors of 2 numbers (planar) or 3 (spatial); the first vector decides."""
 
     _dimensions: ClassVar[tuple[int, ...]]
 
@@ -86,13 +86,13 @@ class shape(_in_a_dimension):
         return float(self._held.distance(x))
 
     def gradient(self, x: Numbers) -> Array:
-        """The unit vector at x [m] out of the wall."""
+        """The outward unit normal at x [m]."""
         of: Array = self._held.gradient(x)
         return of
 
 
 class shape_of_shape(shape):
-    """A shape that is made of another one."""
+    """A shape that modifies another one."""
 
     _dimensions = (2, 3)
 
@@ -118,7 +118,7 @@ class effect(_in_a_dimension):
 
 
 class parameter_table(catalogue_value):
-    """Parameters that belong together."""
+    """A group of parameters."""
 
     _list = "table"
 
@@ -149,5 +149,5 @@ class hand(parameter_table):
 
     @property
     def mass(self) -> float:
-        """What moves with the handle [kg]."""
+        """The mass that moves with the handle [kg]."""
         return float(self._parameters["mass"])

@@ -37,11 +37,11 @@ def chain_from_urdf(path: Path, base: str, tip: str, tool: Numbers = (0.0, 0.0, 
 
 
 def nearest_pose(mechanism: mechanism, x: Numbers, start: Numbers) -> tuple[Array, status]:
-    """Joint positions that put the end effector at x [m], few turns away from `start`, and whether it is in reach.
+    """Joint positions that put the end effector at x [m], near `start`, and the status.
 
-    For mechanisms without an inverse() of their own, such as chains. By damped least-squares steps (Levenberg,
-    Marquardt), each of the least norm of all joint steps, some 10 us each. Out of reach gives a place as near as
-    the steps come (status.out_of_reach).
+    For mechanisms without inverse(), such as chains. Uses damped least-squares steps (Levenberg,
+    Marquardt) of minimum norm, about 10 us each. Out of reach, the result is the nearest point that
+    the steps found (status.out_of_reach).
     """
     MOST_STEPS, ROUNDING, LEAST_DAMPING = 200, 1e-14, 1e-12
     target, q = np.array(x, dtype=float), np.array(start, dtype=float)

@@ -155,7 +155,7 @@ def module_text(native: Any) -> str:
 
 
 def added_mechanism(name: str, about: str, module: str) -> Any:
-    """The class of a mechanism that a module of C++ has added to the catalogue."""
+    """The class of a mechanism that a C++ module has added to the catalogue."""
     from passive_haptics import _native, catalogue
 
     scope = {**vars(catalogue), "__name__": module}

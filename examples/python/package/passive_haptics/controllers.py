@@ -21,9 +21,9 @@ FIELDS: dict[str, str] = dict(_native.BATCH_FIELDS)
 
 
 class batch_result:
-    """What batch() stores: an array for each member of step_result that was asked for, a row or a number for each state.
+    """Results of batch(): one array for each requested member of step_result, with a row or a number for each state.
 
-    outcome, power and display are whole numbers, of status, power_class and display_class.
+    outcome, power and display are integers: values of status, power_class and display_class.
     """
 
     def __init__(self, arrays: dict[str, Any]) -> None:
@@ -54,18 +54,18 @@ class batch_result:
 
 
 class controller(value):
-    """A mechanism, its brakes, a scene and a law, called once a cycle or for many states in one call.
+    """A mechanism, its brakes, a scene and a law. Call it once per cycle, or for a batch of states.
 
-    A pickled controller remembers nothing of its motion.
+    A pickled controller does not include the memory of its motion.
 
     Parameters
     ----------
     mechanism, brakes, scene, law
-        The parts.
+        The parts of the controller.
     max_approximation_angle : float [rad]
         If the angle between desired and nearest force is larger, nothing is displayed; default 89 degrees.
     limits : {keep_direction, clamp_each}
-        What gives way at a torque limit.
+        Scale all torques at a torque limit, or clamp each.
     """
 
     def __init__(
@@ -112,7 +112,7 @@ class controller(value):
         fields: Optional[collections.abc.Iterable[str]] = None,
         out: Optional[batch_result] = None,
     ) -> batch_result:
-        """The cycle of N states, each the first of a motion. Python's lock is released.
+        """Computes the cycles of N states, each as the first of a motion. Releases the global interpreter lock.
 
         Parameters
         ----------
@@ -124,7 +124,7 @@ class controller(value):
         fields : names
             Results to store in addition to capacity and outcome; None: all, or all of `out`.
         out : batch_result
-            An earlier result of as many states, with arrays that are written again.
+            An earlier result for the same number of states; its arrays are overwritten.
         """
         n, d, m = self._held.sizes()
         if np.ndim(q) != 2 or np.shape(q)[1] != n:
@@ -174,14 +174,14 @@ class controller(value):
         return [name for name in FIELDS if name in (*names, "capacity", "outcome")]
 
     def set_brakes(self, brakes: brakes) -> None:
-        """Other brakes of the device from the next cycle on, such as some that are off. What the law remembers stays."""
+        """Replaces the brakes from the next cycle on, for example if some are off. The law keeps its memory."""
         if brakes is None:
             expect(brakes, _brakes, "brakes", "what brakes() of the mechanism returns")
         self._held.set_brakes(self._parameters["mechanism"]._brakes(brakes))
         self._parameters = {**self._parameters, "brakes": brakes}
 
     def reset(self) -> None:
-        """Forgets the motion so far, and the scene the handle."""
+        """Resets the memory of the law and of the scene."""
         self._held.reset()
 
 

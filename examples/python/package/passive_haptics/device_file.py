@@ -17,7 +17,7 @@ from passive_haptics.simulations import simulated_device
 
 @dataclasses.dataclass(frozen=True)
 class device_description:
-    """A device of a device file: its parts, and what is made of them."""
+    """A device from a device file: its parts, a controller and a simulation."""
 
     mechanism: mechanism
     brakes: brakes
@@ -35,19 +35,19 @@ class device_description:
     """A line for each value that is allowed but unusual."""
 
     def controller(self) -> controller:
-        """The controller of this device, with a memory of its own."""
+        """Returns a new controller of this device."""
         return controller(self.mechanism, self.brakes, self.scene, self.law, **self.options)
 
     def plant(self, q: Numbers, hand_mass: float = 0.5) -> simulated_device:
-        """A simulation of this device, at rest at q [rad or m] with a hand's mass [kg] on its handle."""
+        """Returns a simulation of this device, at rest at q [rad or m] with the mass of a hand [kg] on its handle."""
         of: Union[brakes, tuple[brake_model, ...]] = self.brake_models or self.brakes
         return simulated_device(self.mechanism, of, hand_mass, q)
 
 
 def load(path: Path) -> device_description:
-    """The device of a device file (docs/guide/device.md). Raises ValueError with file, line and key.
+    """Reads a device file (docs/guide/device.md). Raises ValueError with file, line and key.
 
-    It reads the sections of the device; those of brake_driver, such as [port], are passed over.
+    Sections of brake_driver, such as [port], are ignored.
     """
     found = _native.read_device(os.fspath(path))
     (name, parameters), (of_law, values) = found["mechanism"], found["law"]

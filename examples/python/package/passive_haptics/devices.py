@@ -26,20 +26,20 @@ Limits = Union[float, Numbers]
 
 
 class brakes(catalogue_value):
-    """The brakes of a device. mechanism.brakes() makes as many as the mechanism has.
+    """The brakes of a device. mechanism.brakes() returns brakes of the right number.
 
-    torque_lower = torque_upper = 0: the brake is off. If one of them is 0, the brake works one way.
+    torque_lower = torque_upper = 0: the brake is off. If one of them is 0, the brake works in one direction.
 
     Parameters
     ----------
     torque_limit, torque_lower, torque_upper : one number for all, or one for each [N m]
         The limit, and bounds of the signed torque, which default to none.
     rate_dead_band [rad/s], torque_dead_band [N m] : likewise
-        Below the first a brake is at rest; below the second a hand's torque has no sign.
+        Below rate_dead_band a brake is at rest; below torque_dead_band the torque of the hand has no sign.
     time_constant : likewise [s]
         Lag of the torque behind its command.
     count : int
-        The number of brakes, if no other parameter has it.
+        The number of brakes, if all other parameters are scalars.
     """
 
     _list = "brakes"
@@ -76,7 +76,7 @@ Brakes = brakes
 class mechanism(catalogue_value):
     """A mechanism: joint positions in, end effector out.
 
-    Functions of joint positions q take those of one pose, n numbers, or of N poses as N rows, and return one result
+    Functions of joint positions q accept one pose (n numbers) or N poses (rows), and return one result
     or N. q is in [rad], of sliding joints in [m].
     """
 
@@ -105,7 +105,7 @@ class mechanism(catalogue_value):
         return Brakes(torque_limit, **others, count=self.brake_count)
 
     def _brakes(self, given: Optional[Brakes], unlimited: bool = False) -> Any:
-        """Brakes that must be of this device; without any the defaults, or brakes without limits."""
+        """The given brakes, which must fit this device; by default its default brakes, or brakes without limits."""
         if given is None:
             return _native.named.unlimited_brakes(self.brake_count) if unlimited else self.brakes()._held
         expected = "what brakes() of the mechanism returns, for its number of brakes"
@@ -138,17 +138,17 @@ class mechanism(catalogue_value):
         x : d numbers [m], or N rows
             Places.
         branch : {left, right}
-            Of a two-link arm: the side of the elbow, seen from the base.
+            For two-link arms: the side of the elbow, seen from the base.
 
         Returns
         -------
         q, outcome
-            One pose and its status, or N rows and N whole numbers. Out of reach, q is not x's pose.
+            One pose and its status, or N rows and N integers. If x is out of reach, q does not belong to x.
 
         Raises
         ------
         TypeError
-            If the mechanism has no inverse of its own: take nearest_pose.
+            If the mechanism has no inverse: use nearest_pose.
         """
         if branch not in ("left", "right"):
             raise ValueError(f"passive_haptics: branch = {branch!r}: expected 'left' or 'right'")
@@ -162,12 +162,12 @@ class mechanism(catalogue_value):
     def brake_signs(
         self, q: Numbers, qd: Numbers, hand_force: Optional[Numbers] = None, brakes: Optional[Brakes] = None
     ) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
+        """The signs of the brake rates; at rest, the signs of the hand's torques."""
         of: Array = self._held.brake_signs(q, qd, hand_force, self._brakes(brakes))
         return of
 
     def recommended_law(self, brakes: Optional[Brakes] = None) -> law:
-        """The law for a device with a force sensor if its user has not chosen one."""
+        """The recommended law for a device with a force sensor."""
         from passive_haptics import catalogue
 
         known = self._brakes(brakes)
@@ -183,7 +183,7 @@ class mechanism(catalogue_value):
             )
 
     def reference_forces(self, q: Numbers) -> tuple[Array, status]:
-        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok.
+        """The forces of unit torques, one column for each brake [N per N m], equation (6); NaN unless the status is ok.
 
         Raises TypeError unless there are as many brakes and joints as task dimensions.
         """
@@ -192,7 +192,7 @@ class mechanism(catalogue_value):
         return found
 
     def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
-        """The force [N] nearest to the desired one that brakes of these signs can make.
+        """The force [N] nearest to the desired one that brakes with these signs can produce.
 
         Raises TypeError unless there are as many brakes and joints as task dimensions.
         """
@@ -224,9 +224,9 @@ class mechanism(catalogue_value):
         q : n numbers, or N rows
             Joint positions.
         velocity, normal : d numbers, or N rows
-            Of the handle, only its direction counts; out of the wall.
+            Velocity of the handle (only its direction matters), and outward normal of the wall.
         brakes : brakes
-            Without any, brakes without limits.
+            Default: brakes without limits.
         """
         outcome, display, *others = self._held.displayable(q, velocity, normal, self._brakes(brakes, True))
         if outcome.ndim == 0:
@@ -244,7 +244,7 @@ class mechanism(catalogue_value):
         brakes: Optional[Brakes] = None,
         push: float = 1.0,
     ) -> float:
-        """The depth [m] to which a hand that pushes [N] sinks on a path, at least.
+        """The minimum depth [m] to which a hand with this push [N] sinks along a path.
 
         q: joint positions at the middles of N >= 2 equal parts of the path, N rows; direction and normal of the wall
         there: N rows, or one vector for all.
@@ -259,12 +259,12 @@ class mechanism(catalogue_value):
         brakes: Optional[Brakes] = None,
         push: float = 1.0,
     ) -> Records:
-        """The figures of the device at N places of a task, an array with named fields. Ctrl-C ends it.
+        """The figures of the device at N points of a task, as an array with named fields. Ctrl-C stops it.
 
         Returns
         -------
         Records
-            outcome (status), display (display_class), cosine of gamma [1], drag for each newton that is displayed [1],
+            outcome (status), display (display_class), cosine of gamma [1], drag per displayed newton [1],
             max_force along the normal [N], sink_slope [1] and isotropy of E [1].
         """
         places = np.shape(q)
@@ -285,7 +285,7 @@ class mechanism(catalogue_value):
 class serial_chain(mechanism):
     """A serial chain of joints, a brake on each.
 
-    The package has controllers for 2, 3 and 4 joints in the plane, and for 3, 6 and 7 in space. With links the chain has
+    Controllers exist for 2, 3 and 4 joints in the plane, and for 3, 6 and 7 in space. With `links` the chain has
     inertia.
 
     Parameters

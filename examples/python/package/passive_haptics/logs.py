@@ -13,11 +13,11 @@ from passive_haptics.arrays import Path
 
 
 def read_log(path: Path) -> tuple[dict[str, NDArray[Any]], dict[str, str]]:
-    """The columns of a log and their units, by their names, such as "t", "q1" and "status". Ctrl-C ends it.
+    """The columns of a log and their units, by name, for example "t", "q1" and "status". Ctrl-C stops it.
 
-    It may be a log of this library or of another program that docs/guide/log.md lists. Numbers are those of
-    the file to the last bit, NaN in an empty cell. Words have the unit "", numbers without a unit "1". Raises
-    ValueError with file, line, column and expectation, and OSError as open() does.
+    docs/guide/log.md lists the supported programs. Numbers are read exactly; an empty cell is NaN. Words have
+    the unit "", numbers without a unit "1". Raises ValueError with file, line and column, and OSError as
+    open() does.
     """
     name = os.fspath(path)
     open(name, "rb").close()

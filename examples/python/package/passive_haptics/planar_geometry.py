@@ -1,4 +1,4 @@
-"""Places of the links of a planar device, for pictures."""
+"""Positions of the links of a planar device, for pictures."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def _five_bar(p: Parameters, q: Array, handle: Array) -> list[Array]:
 
 
 def _chain(p: Parameters, q: Array, handle: Array) -> list[Array]:
-    """By the joints of the zero pose. A slide has no place there: it is drawn at that of the joint before."""
+    """Links by the joints of the zero pose. A slide has no position there and is drawn at the joint before it."""
     turned, moved, place = np.eye(2), np.zeros(2), np.zeros(2)
     points = []
     for joint, angle in zip(p["joints"], q):
@@ -61,7 +61,7 @@ def links_of(device: mechanism, q: Numbers) -> list[Array]:
     """The links of a planar device of this package in a pose q [rad or m], base frame [m]: lines from each
     base over the joints to the handle, K x 2.
 
-    Raises ValueError for another device, and for a pose that the device cannot take.
+    Raises ValueError for other devices, and for poses that the device cannot reach.
     """
     kind = type(device).__name__
     if kind not in _links or device.task_dimension != 2:

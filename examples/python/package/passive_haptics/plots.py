@@ -1,10 +1,10 @@
-"""Pictures of planar devices by matplotlib: forces that their brakes can make, links, maps of a workspace.
+"""Pictures of planar devices with Matplotlib: producible forces, links, maps of a workspace.
 
     from passive_haptics import plots
     axes = plots.draw_passive_fmes(arm, q, velocity=[0.05, 0.02], normal=[0, -1], desired_force=[0, -3])
     axes.figure.savefig("fmes.png")
 
-Each function draws on the Axes that it is given, or on those of a new figure, and returns them.
+Each function draws on the given Axes, or on those of a new figure, and returns them.
 """
 
 from __future__ import annotations
@@ -54,13 +54,13 @@ def draw_passive_fmes(
     normal: Optional[Numbers] = None,
     desired_force: Optional[Numbers] = None,
 ) -> Axes:
-    """The forces [N] that the brakes of a planar device can make with 1 N m (1 N on slides) in a pose q.
+    """Draws the forces [N] that the brakes of a planar device can produce with 1 N m (1 N on slides) in a pose q.
 
-    Outlines: its passive FMEs, see producible_forces.passive_fmes. With a velocity of the handle, of which
-    the direction counts [m/s]: filled, the forces of this motion, and the motion. With the normal of a wall:
-    the wall behind the handle. With a desired force [N] and a velocity: that force, and the nearest that
-    brakes without limits can make; forces that are too long for the picture are shortened by one factor.
-    Labels have the magnitudes.
+    The outlines are the passive FMEs, see producible_forces.passive_fmes. With a velocity of the handle (only
+    its direction matters), the forces for this motion are filled. With the normal of a wall, the wall is drawn
+    behind the handle. With a desired force [N] and a velocity, that force and the nearest producible force
+    without limits are drawn; forces that are too long for the picture are shortened by one factor. Labels show
+    the magnitudes.
     """
     regions = passive_fmes(device, q)
     outlines = [region.outline for region in regions if len(region.outline)]
@@ -90,9 +90,9 @@ def draw_passive_fmes(
 
 
 def draw_device(device: mechanism, q: Numbers, axes: Axes | None = None, *, colour: str = INK) -> Axes:
-    """A planar device at joint positions q [rad or m], to scale: its links, joints, bases and handle.
+    """Draws a planar device at joint positions q [rad or m], to scale: links, joints, bases and handle.
 
-    Raises ValueError for a device in space, one of your own, and a pose that it cannot take.
+    Raises ValueError for spatial and custom devices, and for poses that the device cannot reach.
     """
     lines = links_of(device, q)
     axes = _prepared(axes, "x [m]", "y [m]")
@@ -105,7 +105,7 @@ def draw_device(device: mechanism, q: Numbers, axes: Axes | None = None, *, colo
 
 
 def draw_wall(axes: Axes, point: Numbers, normal: Numbers) -> Axes:
-    """The wall through a point with a normal out of it, as far as the picture reaches. Limits stay."""
+    """Draws the wall through a point with an outward normal, up to the limits of the picture."""
     n, at = unit_vector(normal, "normal"), np.asarray(point, dtype=float)
     along = np.array([-n[1], n[0]])
     far = 10 * (np.abs([*axes.get_xlim(), *axes.get_ylim()]).max() + np.abs(at).max())
@@ -115,8 +115,8 @@ def draw_wall(axes: Axes, point: Numbers, normal: Numbers) -> Axes:
 
 
 def draw_arrow(axes: Axes, vector: Numbers, colour: str, label: str) -> Axes:
-    """An arrow from 0 in the units of the picture, and its line of the legend; of a vector 0 only that
-    line."""
+    """Draws an arrow from 0 in the units of the picture, and its legend entry; for a zero vector only the
+    entry."""
     tip = np.asarray(vector, dtype=float)
     axes.plot([0, tip[0]], [0, tip[1]], color=colour, lw=2, label=label, zorder=6)
     if np.any(tip):
@@ -134,8 +134,8 @@ def draw_map(
     label: str,
     limits: tuple[Optional[float], Optional[float]] = (None, None),
 ) -> Axes:
-    """Values at the places x, y [m] of numpy.meshgrid, and their scale with a label, such as "angle [deg]",
-    and limits. A place with a value that is not finite is grey."""
+    """Draws values at the points x, y [m] of numpy.meshgrid, and a colour bar with a label, such as
+    "angle [deg]", and limits. Points that are not finite are grey."""
     axes = _prepared(axes, "x [m]", "y [m]")
     axes.set_facecolor(GROUND)
     of_places = np.reshape(values, np.shape(x))

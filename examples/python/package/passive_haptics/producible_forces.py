@@ -1,4 +1,4 @@
-"""The forces that the brakes of any planar device can make, as outlines: passive FMEs."""
+"""Producible forces of planar devices as outlines: passive FMEs."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ CUT = 10.0
 
 
 class passive_fme(typing.NamedTuple):
-    """Forces that the brakes can make while the handle moves one way."""
+    """Forces that the brakes can produce while the handle moves in one direction."""
 
     signs: Optional[tuple[int, int]]
     """Those of the torques of two brakes on two joints."""
@@ -83,9 +83,9 @@ def _nearest_directions(
 def nearest_producible(
     device: mechanism, q: Numbers, velocity: Numbers, desired_force: Numbers
 ) -> tuple[Array, float]:
-    """The force [N] nearest to the desired one that brakes without limits can make while the handle moves
-    with a velocity, of which the direction counts [m/s], and the angle between them [rad]; (0, pi / 2) where
-    there is none."""
+    """The force [N] nearest to the desired one that brakes without limits can produce while the handle moves
+    with a velocity (only its direction matters), and the angle between them [rad]; (0, pi / 2) if there is
+    none."""
     _require_planar(device, q)
     Fd, n = np.asarray(desired_force, dtype=float), unit_vector(desired_force, "desired_force")
     angle = math.atan2(n[1], n[0])
@@ -97,11 +97,10 @@ def nearest_producible(
 
 
 def producible_outline(device: mechanism, q: Numbers, velocity: Numbers) -> Array:
-    """The closed outline [N], K x 2, of the forces that brakes of 1 N m (of 1 N on slides) can make along
-    each direction by force approximation, while the handle moves with a velocity, of which the direction
-    counts [m/s].
+    """The closed outline [N], K x 2, of the forces that brakes of 1 N m (1 N on slides) can produce along each
+    direction by force approximation, while the handle moves with a velocity (only its direction matters).
 
-    Seen from 0, each direction is met once.
+    Each direction from 0 occurs once.
     """
     _require_planar(device, q)
     limited = device.brakes(torque_limit=1.0)
@@ -120,10 +119,10 @@ def producible_outline(device: mechanism, q: Numbers, velocity: Numbers) -> Arra
 def passive_fmes(device: mechanism, q: Numbers) -> list[passive_fme]:
     """The passive FMEs of a planar device at joint positions q [rad or m].
 
-    Two brakes on two joints: those of the paper, forces of torques whose norm is 1 N m, four quarters of an
-    ellipse. Any other device, and poses that are all but singular: forces of brakes of at most 1 N m each, as
-    force approximation divides them, for each set of directions of motion that differ in the forces. A set
-    that spans less than 5 degrees may be missed.
+    For two brakes on two joints, those of the paper: forces of torques with a norm of 1 N m, four quarters of
+    an ellipse. For other devices and nearly singular poses: forces of brakes of at most 1 N m each, as force
+    approximation divides them, one region for each set of brake signs. A region that spans less than 5 degrees
+    may be missed.
     """
     _require_planar(device, q)
     if device.dof == device.brake_count == 2:

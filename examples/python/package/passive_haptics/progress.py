@@ -1,4 +1,4 @@
-"""A line on stderr that shows how far a long call is."""
+"""A progress line on stderr for long calls."""
 
 from __future__ import annotations
 

@@ -15,8 +15,8 @@ Function = collections.abc.Callable[[Array], Any]
 class python_mechanism(mechanism):
     """A mechanism with functions written in Python, a brake on each of its joints.
 
-    It does all that a compiled one does, slower: each call of a function takes microseconds. An exception of a function
-    comes out of the call as it is. NaN ends a cycle with a status.
+    It has all functions of a compiled mechanism, but each call of a Python function takes microseconds. Exceptions of
+    these functions are passed on. NaN ends a cycle with a status.
 
     Parameters
     ----------
@@ -27,9 +27,9 @@ class python_mechanism(mechanism):
     jacobian : function of q
         J in v = J qd, task_dimension x dof [m/rad or 1]; without it J is found by central differences, to about ten digits.
     mass_matrix, bias_torque, bias_acceleration : functions of q, of q and qd, of q and qd
-        Inertia, all three or none: M, dof x dof [kg m^2, kg m or kg], c in M qdd + c [N m or N] and Jd qd [m/s^2].
+        The inertia, all three or none: M, dof x dof [kg m^2, kg m or kg], c in M qdd + c [N m or N] and Jd qd [m/s^2].
     check : bool
-        At the first q the jacobian is compared with position: an entry that is not its derivative (1e-4) is a ValueError.
+        Compare jacobian with the derivative of position at the first q; a difference above 1e-4 is a ValueError.
     """
 
     _name = "python_mechanism"

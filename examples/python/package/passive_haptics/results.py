@@ -1,4 +1,4 @@
-"""Enumerations and tuples of results; the numbers are those of arrays that a batch returns."""
+"""Enumerations and tuples of results; batches return the numbers of these enumerations."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class status(_in_words):
 
 
 class power_class(_in_words):
-    """Where the desired force lies by power (section 2 of the paper)."""
+    """The power class of the desired force (section 2 of the paper)."""
 
     none = 0
     active = 1
@@ -46,7 +46,7 @@ class power_class(_in_words):
 
 
 class display_class(_in_words):
-    """How the desired force is displayed."""
+    """The quality with which the desired force is displayed."""
 
     none = 0
     approximate = 1
@@ -54,7 +54,7 @@ class display_class(_in_words):
 
 
 class contact_report(typing.NamedTuple):
-    """One touched wall, and the normal force that it gets."""
+    """One touched wall and its displayed normal force."""
 
     wall_number: int
     """Wall of the scene."""
@@ -67,7 +67,7 @@ class contact_report(typing.NamedTuple):
 
 
 class displayable_force(typing.NamedTuple):
-    """The force that brakes can display along the normal of a wall, of one pose or, in arrays, of N."""
+    """The force that brakes can display along the normal of a wall, for one pose or, in arrays, for N."""
 
     outcome: Union[status, Integers]
     """ok, or why nothing is known."""
@@ -89,7 +89,7 @@ class displayable_force(typing.NamedTuple):
 
 
 class run_end(_in_words):
-    """How a run along a wall ended."""
+    """The end of a run along a wall."""
 
     time_over = 0
     arrived = 1

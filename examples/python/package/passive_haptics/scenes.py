@@ -18,12 +18,12 @@ LARGEST_SHOWN = 20
 
 
 class mesh(value):
-    """A surface that never changes: triangles in space, or segments in the plane.
+    """A constant surface of triangles (spatial) or segments (planar).
 
     Parameters
     ----------
     vertices : N x d [m]
-        2 numbers in a row in the plane, 3 in space.
+        Rows of 2 numbers (planar) or 3 (spatial).
     facets : M x d whole numbers
         Indices of vertices. The corners of a triangle run counterclockwise seen from the free side; of a
         segment the free side is on its right.
@@ -31,7 +31,7 @@ class mesh(value):
     Raises
     ------
     ValueError
-        Names the first facet that is wrong.
+        States the first invalid facet.
     """
 
     def __init__(self, vertices: Rows, facets: Rows) -> None:
@@ -98,29 +98,29 @@ def _read(form: str, path: Path, metres_per_unit: float) -> tuple[mesh, str]:
 
 
 def read_stl(path: Path, metres_per_unit: float = 1.0) -> tuple[mesh, str]:
-    """The mesh of an STL file, in text or binary, and remarks on what of the file is not in it; "" if there
-    is none.
+    """Returns the mesh of an STL file, in text or binary, and remarks on skipped parts of the file; "" if there
+    are none.
 
-    metres_per_unit: of the file's numbers, 1e-3 for millimetres. Raises ValueError with file and line.
+    metres_per_unit is the unit of the file: 1e-3 for millimetres. Raises ValueError with file and line.
     """
     return _read("stl", path, metres_per_unit)
 
 
 def read_obj(path: Path, metres_per_unit: float = 1.0) -> tuple[mesh, str]:
-    """The mesh of an OBJ file, all objects and groups as one, see read_stl."""
+    """Returns the mesh of an OBJ file, with all objects and groups as one; see read_stl."""
     return _read("obj", path, metres_per_unit)
 
 
 def read_ply(path: Path, metres_per_unit: float = 1.0) -> tuple[mesh, str]:
-    """The mesh of a PLY file, in text or binary, see read_stl."""
+    """Returns the mesh of a PLY file, in text or binary; see read_stl."""
     return _read("ply", path, metres_per_unit)
 
 
 class mesh_solid(shape):
-    """The solid within a closed mesh whose normals point outward.
+    """The solid inside a closed mesh with outward normals.
 
-    In a scene of one wall it has one contact; a handle that is pushed more than half through a thin wall
-    comes out at the other side.
+    It has one contact in a scene of one wall. A handle that is pushed more than half-way through a thin wall
+    comes out on the other side.
     """
 
     _name = "mesh_solid"
@@ -131,16 +131,16 @@ class mesh_solid(shape):
 
 
 class mesh_surface(value):
-    """A closed or an open mesh that stops what comes from its front, at any depth. A scene that has one is a
+    """A closed or open mesh that stops the handle from its front side, at any depth. A scene with one is a
     world.
 
     Parameters
     ----------
     surface : mesh
     skin : float [m]
-        From the surface to the point that stands for the handle on it.
+        The distance from the surface to the proxy point of the handle.
     crease_angle : float [rad]
-        Facets with normals that differ by less are one smooth surface.
+        Facets with normals that differ by less belong to one smooth surface.
     """
 
     def __init__(self, surface: mesh, skin: float = 1e-7, crease_angle: float = 0.5235987755982988) -> None:
@@ -156,7 +156,7 @@ class mesh_surface(value):
 
 
 class wall(value):
-    """A shape that resists with a stiffness [N/m] times depth."""
+    """A shape that resists with stiffness [N/m] times depth."""
 
     def __init__(self, shape: Union[shape, mesh_surface], stiffness: float = 1e7) -> None:
         if not isinstance(shape, mesh_surface):
@@ -174,7 +174,7 @@ _shape = shape
 
 
 class _any_scene(value):
-    """What all scenes have."""
+    """The members of all scenes."""
 
     @property
     def dimension(self) -> int:
@@ -196,7 +196,7 @@ def _scene_of(kind: str, walls: collections.abc.Sequence[Any], is_world: bool) -
 
 
 class scene(_any_scene):
-    """Walls, numbered from 0 in their order. Several walls, or a mesh_surface, are a world."""
+    """Walls, numbered from 0. Several walls, or a mesh_surface, become a world."""
 
     def __init__(self, *walls: wall) -> None:
         self._held = _scene_of(type(self).__name__, walls, False)
@@ -210,9 +210,9 @@ class scene(_any_scene):
 
 
 class world(_any_scene):
-    """Many walls, of which a cycle looks at those that the handle can have reached since it last looked.
+    """Many walls. A cycle examines only those that the handle can have reached since the last one.
 
-    At most d + 1 contacts, those of the largest forces. With a mesh among them all walls are felt as one
+    It reports at most d + 1 contacts, those with the largest forces. With a mesh among them, all walls form one
     surface.
     """
 
@@ -224,8 +224,8 @@ class world(_any_scene):
 
 
 class held_scene(_any_scene):
-    """A scene that is sampled once a period [s] and held between: a virtual environment that is slower than
-    the loop of the brakes. 0 samples every time."""
+    """A scene that is sampled once per period [s] and held in between: a virtual environment that is slower than
+    the control loop. 0 samples in each cycle."""
 
     def __init__(self, scene: _any_scene, period: float) -> None:
         of = expect(scene, _any_scene, "scene", "a scene: held_scene(scene(wall(shape, stiffness)), period)")
@@ -238,9 +238,9 @@ class held_scene(_any_scene):
 class with_effects(_any_scene):
     """A scene with effects in addition to its walls.
 
-    Walls come first: what a cycle displays of them does not depend on the effects, except for the drag along
-    them. Effects get the force that remains. They need direct_control, and a mechanism with as many joints
-    and brakes as task dimensions.
+    Walls have priority: except for the drag along them, their forces do not depend on the effects. Effects use
+    the remaining force. They need direct_control, and a mechanism with as many joints and brakes as task
+    dimensions.
     """
 
     def __init__(self, scene: _any_scene, *effects: effect) -> None:
@@ -260,8 +260,8 @@ class with_effects(_any_scene):
 
 
 class scene_of_device(_any_scene):
-    """Walls and effects of a device, by the text of its device file (docs/guide/device.md): walls that move
-    and height fields, too."""
+    """Walls and effects from the text of a device file (docs/guide/device.md), including moving walls and height
+    fields."""
 
     def __init__(self, text: str) -> None:
         self._held = _native.scene_of_device(text)

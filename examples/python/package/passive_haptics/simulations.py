@@ -19,14 +19,14 @@ from passive_haptics.values import expect, number, value
 
 
 class simulated_device(value):
-    """A device without hardware, at rest at joint positions q: a mechanism with inertia, real brakes and a hand's mass on
-    its handle. A pickled one, and parameters, are those of the start.
+    """A simulated device, at rest at joint positions q: a mechanism with inertia, real brakes and the mass of a hand on
+    its handle. Pickling, and `parameters`, give the initial state.
 
     Parameters
     ----------
     mechanism : mechanism
     brakes : brakes, or a list of brake models
-        What brakes() of the mechanism returns are brakes that are what their controller assumes.
+        `brakes` are exactly what the controller assumes; models may differ.
     hand_mass : float [kg]
     q : n numbers [rad or m]
     """
@@ -45,15 +45,15 @@ class simulated_device(value):
         self._held = _native.plant(mechanism._held, [each._held for each in models], hand_mass, q)
 
     def advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None:
-        """One time step dt [s] under commanded capacities [N m] and the force that the hand's muscles exert [N].
+        """Advances by a time step dt [s], with commanded capacities [N m] and the force of the hand's muscles [N].
 
-        No time passes unless dt is a finite number > 0. A dt over twice the time constants of the hand's spring and damper
-        makes the motion grow until it is NaN.
+        Does nothing unless dt is a finite number > 0. If dt is more than twice the time constants of the hand's spring and
+        damper, the motion diverges.
         """
         self._held.advance(number(dt, "dt"), capacity, muscle_force)
 
     def set_motion(self, q: Numbers, qd: Numbers) -> None:
-        """Sets joint positions [rad or m] and rates, and begins the energy balance again."""
+        """Sets joint positions [rad or m] and rates, and resets the energy balance."""
         self._held.set_motion(q, qd)
 
     @property
@@ -95,7 +95,7 @@ _mechanism = mechanism
 
 
 def _models(device: mechanism, given: Any) -> list[Any]:
-    """A model for each brake."""
+    """One model for each brake."""
     if isinstance(given, brakes):
         device._brakes(given)
         p = given.parameters
@@ -125,14 +125,14 @@ def follow_wall(
     record: bool = False,
 ) -> tuple[contact_metrics, Records]:
     """The wall-following experiment: a hand moves the device along a shape, the measured wall, under a
-    controller. Ctrl-C ends it.
+    controller. Ctrl-C stops it.
 
-    The device and the controller go on from where they are; time begins at 0, so reset() a controller that has run before.
+    The device and the controller continue from their present state. Time begins at 0: reset() a controller that has run.
 
     Returns
     -------
     metrics, samples
-        Figures of the run. If record is true, a row for each time step: time [s], depth [m], position [m], velocity [m/s],
+        Figures of the run. If record is true, samples has a row for each time step: time [s], depth [m], position [m], velocity [m/s],
         rates of the brakes, brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control
         cycle capacity [N m], alpha, outcome, power, display, saturated and wall_number.
     """

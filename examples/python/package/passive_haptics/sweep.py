@@ -1,4 +1,4 @@
-"""Sweeps: an experiment for many items, by processes of this machine or any executor of
+"""Sweeps: an experiment for many items, on processes of this machine or any executor of
 concurrent.futures."""
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Result = TypeVar("Result")
 
 
 class sweep_error(RuntimeError):
-    """Some experiments failed. The others did not, and need not be run again."""
+    """Some experiments failed. The others succeeded and need not run again."""
 
     def __init__(self, message: str, results: dict[Any, Any], failures: dict[Any, str]) -> None:
         super().__init__(message, results, failures)
@@ -43,19 +43,19 @@ def sweep(
     file: Path | None = None,
     progress: bool | None = None,
 ) -> list[Result]:
-    """The results function(item) in the order of the items, the same bytes for each executor and each split.
+    """Returns the results function(item) in the order of the items, byte for byte equal for every executor and split.
 
     Parameters
     ----------
     function
-        Takes an item, and depends on nothing else. It and its results can be pickled.
+        A function of an item only. It and its results can be pickled.
     items
         Distinct integers, such as seeds, or other values that can be pickled, such as tuples of parameters.
     executor : concurrent.futures.Executor
         Such as dask.distributed.Client(...).get_executor() or mpi4py.futures.MPIPoolExecutor(); None: a
         process for each processor that this one may use.
     experiments_per_task : int
-        1 of experiments that take longer than some 10 s, more than 100 of those under 1 ms.
+        Use 1 for experiments that take over 10 s, more than 100 for those under 1 ms.
     file
         A database of SQLite with the results of finished tasks. A sweep with this file, after an interruption
         or with more items, runs one experiment of the file again, and then what is missing. Reading it can
@@ -69,7 +69,7 @@ def sweep(
         Once all experiments have run, if some failed. A process that dies is a failure of the one experiment
         that ended it; under an executor of your own, of all experiments that this executor lost.
     ValueError
-        If items are not distinct, the function has another result now than in the file, or the file is of
+        If items are not distinct, the function now returns another result than in the file, or the file is of
         another kind.
     BlockingIOError
         If another sweep uses the file.

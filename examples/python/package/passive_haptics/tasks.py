@@ -32,7 +32,7 @@ Task = tuple[bytes, ...]
 
 
 def run_task(function: Experiment, task: Task) -> list[outcome]:
-    """Runs experiments in this process. Each result is pickled by itself, so no split shows in its bytes."""
+    """Runs experiments in this process. Each result is pickled separately, so the bytes do not depend on the split."""
     outcomes = []
     for item in task:
         try:
@@ -45,7 +45,7 @@ def run_task(function: Experiment, task: Task) -> list[outcome]:
 def completed_outcomes(
     function: Experiment, tasks: list[Task], executor: Executor | None
 ) -> collections.abc.Generator[list[outcome], None, None]:
-    """The outcomes of tasks, as they are completed."""
+    """The outcomes of tasks, in order of completion."""
     if executor is None:
         yield from _by_processes(function, tasks)
     else:

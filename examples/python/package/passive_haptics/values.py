@@ -33,7 +33,7 @@ def restored(kind: type[Any], base: type[Any], parameters: dict[str, Any]) -> An
 
 
 class value:
-    """What is made of parameters: it never changes, and equals another one of its class with equal parameters."""
+    """An immutable value with parameters; equal to another of its class with equal parameters."""
 
     _base: ClassVar[type[Any]]
     _parameters: dict[str, Any]
@@ -73,7 +73,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def with_suggestions(function: F) -> F:
-    """A method with errors about unknown keywords that list the parameters, and the nearest."""
+    """A method with errors about unknown keywords that list the parameters and suggest the nearest."""
     kinds = inspect.signature(function).parameters.values()
     names = [of.name for of in kinds if of.kind in (of.POSITIONAL_OR_KEYWORD, of.KEYWORD_ONLY)][1:]
 
@@ -101,14 +101,14 @@ def warn(text: str) -> None:
 
 
 def number(x: Any, name: str) -> float:
-    """x as a number of float64; a TypeError if it is another thing."""
+    """x as float64; TypeError if it is not a number."""
     if isinstance(x, bool) or not isinstance(x, (int, float, np.floating, np.integer)):
         raise TypeError(f"passive_haptics: {name} = {x!r} ({type(x).__name__}): expected a number")
     return float(x)
 
 
 def expect(thing: Any, kind: type[Any], name: str, expected: str) -> Any:
-    """The thing, if it is of this class and was made; else a TypeError."""
+    """The thing, if it is an initialised object of this class; else TypeError."""
     if not isinstance(thing, kind):
         shown = repr(thing)
         shown = shown if len(shown) <= 40 else shown[:40] + "..."
