@@ -53,7 +53,7 @@ def _along(angle: Array | float) -> Array:
 def _require_planar(device: mechanism, q: Numbers) -> None:
     if device.task_dimension != 2:
         kind = type(device).__name__
-        raise ValueError(f"passive_haptics: device = {kind}, in space: expected a planar device")
+        raise ValueError(f"passive_haptics: device = {kind}: expected a planar device")
     if not (np.all(np.isfinite(device.position(q))) and np.all(np.isfinite(device.jacobian(q)))):
         raise ValueError(f"passive_haptics: q = {list(q)}: expected a pose that the device can take")
 
