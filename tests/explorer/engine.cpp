@@ -36,10 +36,9 @@ const explorer::preset& preset_of(const std::string& id) {
 
 // The numbers of a value.
 std::vector<double> value_of(explorer::value_table& table, const std::string& id) {
-  for (const auto& v : table.names())
-    if (id == v.id) return {table.data() + v.offset, table.data() + v.offset + v.size};
-  ADD_FAILURE() << "no value " << id;
-  return {};
+  const auto found = table.value(id);
+  EXPECT_FALSE(found.empty()) << id;
+  return {found.begin(), found.end()};
 }
 std::vector<double> value_of(device& of, const std::string& id) { return value_of(of.values(), id); }
 device evaluated(const std::string& text) {
@@ -58,29 +57,14 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(explorer, presets_are_valid_and_their_settings_make_them_again) {
-  std::vector<std::string> ids;
   for (const auto& p : explorer::presets) {
     device made = evaluated(p.settings);
     EXPECT_EQ(value_of(made, "status")[0], 0) << p.id;
-    ids.emplace_back(p.id);
     device again = evaluated(made.changed().text());
     for (int i = 0; i < made.values().size(); ++i)
       EXPECT_EQ(made.values().data()[i], again.values().data()[i]) << p.id << " " << i;
   }
-  std::sort(ids.begin(), ids.end());
-  EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
 }
-
-// The slider of step 4: a law of a user with a constant alpha.
-struct constant_scale {
-  static constexpr bool needs_hand_force = true;
-  double alpha;
-
-  template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&) const noexcept {
-    return T(alpha);
-  }
-};
 
 // A controller of the library, as a user writes it, decides what the explorer shows.
 TEST(explorer, values_are_those_of_a_controller) {
@@ -109,7 +93,8 @@ TEST(explorer, values_are_those_of_a_controller) {
     EXPECT_EQ(value_of(made, "power")[0], int(r.power));
   };
   compare(ph::direct_control(), -1);
-  for (int k = 0; k <= 100; ++k) compare(constant_scale{k / 100.0}, k / 100.0);
+  for (int k = 0; k <= 100; ++k)
+    compare(explorer::constant_scale{k / 100.0}, k / 100.0);  // the slider of step 4
 }
 
 TEST(explorer, a_handle_that_is_pulled_off_has_not_bounced) {
@@ -182,10 +167,9 @@ TEST(explorer, the_displayed_force_is_that_of_the_capacities) {
     const auto capacity = value_of(made, "capacity"), signs = value_of(made, "signs");
     displayed += F[0] != 0 || F[1] != 0 || F[2] != 0 ? 1 : 0;
     for (int j = 0; j < n; ++j) {
-      std::fill_n(qd, n, 0.0);
-      qd[j] = 1;
-      made.evaluate();
-      const auto rates = value_of(made, "w");  // column j of T
+      std::vector<double> unit(static_cast<std::size_t>(n));
+      unit[std::size_t(j)] = 1;
+      const auto rates = made.parts().mechanism->brake_rates({q, unit.size()}, unit);  // column j of T
       double t = 0;
       for (int i = 0; i < d; ++i) t += J[std::size_t(i * n + j)] * F[std::size_t(i)];
       for (std::size_t i = 0; i < rates.size(); ++i) t += rates[i] * signs[i] * capacity[i];
@@ -215,10 +199,6 @@ TEST(explorer, inverse_kinematics_reach_where_the_handle_was) {
       EXPECT_TRUE(is_reached || k > 0) << entry.name;
       if (k % 10 == 9) x = found;
     }
-    if (made.flip()) {
-      made.evaluate();
-      for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(value_of(made, "x")[i], x[i], 1e-12) << entry.name;
-    } else EXPECT_EQ(entry.name.find("two_link"), entry.name.npos) << entry.name;
     EXPECT_EQ(made.reach({10, 10, 10}), entry.name == "xy_table") << entry.name;
     made.reach({std::nan(""), 0, 0});
     for (int i = 0; i < entry.sizes.dof; ++i) EXPECT_TRUE(std::isfinite(made.state()[i])) << entry.name;
@@ -232,8 +212,8 @@ TEST(explorer, refuses_with_the_words_of_the_library) {
   EXPECT_EQ(of_arm("q=1e300,1").substr(0, 23), "passive_haptics: q[0] [");
   EXPECT_EQ(of_arm("lenght=1"), "setting = 'lenght': expected a name of the device's form");
   EXPECT_EQ(of_arm("scene=plane:1,2").substr(0, 46), "scene = 'plane:1,2': expected none, plane:X,Y,");
-  for (const char* line : {"scene=solid:0,0,-1", "scene=edge:0,0,1,0,2,0", "scene=outline:0,0,1,1,2,2",
-                           "q=nan,1", "law=magic", "no equals sign"})
+  for (const char* line :
+       {"scene=solid:0,0,-1", "scene=outline:0,0,1,1,2,2", "q=nan,1", "law=magic", "no equals sign"})
     EXPECT_NE(of_arm(line), "") << line;
   EXPECT_NE(refusal("mechanism=hexapod"), "");
   EXPECT_EQ(of_arm("law.depth_gain=20\nlaw=direct_control"), "");  // of another law
@@ -253,10 +233,11 @@ TEST(explorer, a_record_replays_to_the_last_digit) {
     simulation.record(true);
     simulation.step(400, {0.1, 0.235, 0}, true);
     explorer::replayed_log replayed(made.parts(), simulation.log());
-    EXPECT_EQ(replayed.count(), 400) << law.name;
+    const auto& rows = replayed.rows();
+    ASSERT_EQ(rows.size(), 400 * std::size_t(replayed.row().size())) << law.name;
+    EXPECT_EQ(rows[399 * std::size_t(replayed.row().size())], 0.399) << law.name;
     EXPECT_EQ(replayed.agreement()[1], 400) << law.name;
     EXPECT_EQ(replayed.agreement()[0], 400) << law.name;
-    EXPECT_EQ(value_of(replayed.row(399), "t")[0], 0.399) << law.name;
   }
   device made = device_of("mechanism=two_link");
   for (const char* log : {"t,q1\n0,1\n", ""})
@@ -270,20 +251,20 @@ TEST(explorer, a_simulation_takes_other_settings_while_it_runs) {
   simulation.set(settings("law=velocity_direct_control\nbrakes.torque_limit=0.5"));
   simulation.step(1, {0.1, 0.23, 0}, true);
   EXPECT_NEAR(value_of(simulation.row(), "x")[0], x[0], 1e-3);
-  EXPECT_EQ(simulation.cycles(), 101);
+  EXPECT_EQ(value_of(simulation.row(), "t")[0], 0.1);
   EXPECT_THROW(simulation.set(settings("hand=along\nscene=none")), std::invalid_argument);
   EXPECT_THROW(simulation.set(settings("hand.damping=1e5")), std::invalid_argument) << "of 0.1 ms a step";
 }
 
 // A map has classes of displayed forces, and NaN where the device does not reach.
 TEST(explorer, a_map_ends_at_the_reach) {
-  explorer::figure_map map(device_of("mechanism=two_link").parts().settings, 31, 31, {-0.4, -0.4},
-                           {0.4, 0.4});
+  explorer::figure_map map(device_of("mechanism=two_link").parts().settings, 31, 31, {-0.4, -0.4, 0},
+                           {0.4, 0.4, 0});
   EXPECT_EQ(map.advance(10), 10);
   EXPECT_EQ(map.advance(100), 31);
   for (int k = 0; k < 31 * 31; ++k) {
     const double radius = std::hypot(-0.4 + 0.8 * (k % 31) / 30, -0.4 + 0.8 * (k / 31) / 30);
-    const double cosine = map.figure(0)[k];
+    const double cosine = map.figure(0)[std::size_t(k)];
     EXPECT_TRUE(radius > 0.3 ? std::isnan(cosine) : radius < 0.01 || (cosine >= 0 && cosine <= 1)) << radius;
   }
 }

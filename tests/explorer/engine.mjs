@@ -5,6 +5,7 @@
 // VALUES: the output of explorer_values. Everything is bit-identical, angles agree to 1e-14.
 import {readFileSync} from 'node:fs';
 import {load} from './load.mjs';
+import {row_length} from '../../examples/explorer/page/tracks.js';
 
 const [folder, values_file] = process.argv.slice(2);
 const cycles = 21000,
@@ -31,10 +32,6 @@ function compare(name, numbers) {
     if (!is_same && ++failures <= 20) console.log(`failed: ${name}[${i}]: ${number}, natively ${expected[i]}`);
   });
 }
-const wave = frame => {
-  const place = frame % (2 * frames_of_a_side);
-  return (2 * (place < frames_of_a_side ? place : 2 * frames_of_a_side - place)) / frames_of_a_side - 1;
-};
 
 for (const {id, settings} of engine.catalogue.presets) {
   const device = engine.device(settings);
@@ -42,17 +39,18 @@ for (const {id, settings} of engine.catalogue.presets) {
   for (const value of device.layout) compare(`${id} ${value.id}`, device.value(value.id));
   const [x, y, z] = device.value('x'),
     simulation = engine.simulation(settings),
-    {row, values} = simulation.layout,
-    gamma = values.find(value => value.id === 'gamma').offset;
+    {layout} = simulation,
+    row = row_length(layout),
+    gamma = layout.find(value => value.id === 'gamma').offset;
   let hash = 2166136261,
     rows;
   const add = half => {
     hash = Math.imul(hash ^ half, 16777619);
   };
   for (let frame = 0; frame < cycles / cycles_of_a_frame; ++frame) {
-    const way = reach * wave(frame);
+    const way = Math.floor(frame / frames_of_a_side) % 2 === 0 ? reach : -reach;
     simulation.step(cycles_of_a_frame, [x + way, y + way / 2, z - way], frame % 100 < 90);
-    ({rows} = simulation.rows_from(frame * cycles_of_a_frame));
+    rows = simulation.rows();
     const halves = new Uint32Array(rows.buffer);
     for (let i = 0; i < rows.length; ++i) {
       if (i % row === gamma) continue;
@@ -61,11 +59,11 @@ for (const {id, settings} of engine.catalogue.presets) {
       add(is_nan ? 0x7ff80000 : halves[2 * i + 1]);
     }
   }
-  for (const value of values)
+  for (const value of layout)
     compare(`loop:${id} ${value.id}`, [...rows.subarray(rows.length - row + value.offset).subarray(0, value.size)]);
   compare(`loop:${id} hash`, [hash >>> 0]);
-  simulation.end();
-  device.end();
+  simulation.delete();
+  device.delete();
 }
 for (const name of native.keys()) if (++failures) console.log(`failed: ${name} is only native`);
 console.log(`${compared} numbers of ${engine.catalogue.presets.length} presets and their loops, ${failures} differ`);

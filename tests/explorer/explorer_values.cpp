@@ -14,13 +14,7 @@
 namespace {
 
 constexpr int cycles = 21'000, cycles_of_a_frame = 20, frames_of_a_side = 40;
-constexpr double reach = 0.01;  // of the pointer about the handle at the start [m]
-
-// From -1 to 1 and back: a triangle wave whose numbers are exact everywhere.
-double wave(int frame) {
-  const int place = frame % (2 * frames_of_a_side);
-  return 2.0 * (place < frames_of_a_side ? place : 2 * frames_of_a_side - place) / frames_of_a_side - 1;
-}
+constexpr double reach = 0.01;  // of the pointer to two sides of the handle at the start [m]
 
 void print(const std::string& name, const explorer::named_value& v, const double* numbers) {
   std::printf("%s %s", name.c_str(), v.id);
@@ -50,15 +44,13 @@ void print_loop(const explorer::preset& p) {
   const explorer::place start(device.values()["x"]);
   hash all;
   for (int frame = 0; frame < cycles / cycles_of_a_frame; ++frame) {
-    const double way = reach * wave(frame);
+    const double way = frame / frames_of_a_side % 2 == 0 ? reach : -reach;
     simulation.step(cycles_of_a_frame, start + explorer::place(way, way / 2, -way), frame % 100 < 90);
-    for (int k = 0; k < cycles_of_a_frame; ++k) {
-      const int cycle = frame * cycles_of_a_frame + k;
-      const double* numbers = simulation.ring() + (cycle % explorer::simulation::ring_size) * row.size();
+    for (int k = 0; k < cycles_of_a_frame; ++k)
       for (const explorer::named_value& v : row.names())
         if (std::string(v.id) != "gamma")
-          for (int i = 0; i < v.size; ++i) all.add(numbers[v.offset + i]);
-    }
+          for (int i = 0; i < v.size; ++i)
+            all.add(simulation.rows()[std::size_t(k * row.size() + v.offset + i)]);
   }
   for (const explorer::named_value& v : row.names()) print(name, v, row.data());
   std::printf("%s hash %u\n", name.c_str(), all.value);

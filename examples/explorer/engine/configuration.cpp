@@ -60,6 +60,12 @@ configuration::configuration(const page_mechanism& of)
   state.Fh = state.Fd = std::vector<double>(std::size_t(d));
 }
 
+configuration configuration::defaults() const {
+  configuration usual(*about);
+  usual.law = law;
+  return usual;
+}
+
 field_list configuration::fields() {
   field_list all;
   add_fields(all, mechanism, "mechanism.", "mechanism");

@@ -146,6 +146,8 @@ struct configuration {
   /// All default settings of a mechanism.
   explicit configuration(const page_mechanism& of);
 
+  /// Those of the same mechanism under the same law.
+  configuration defaults() const;
   /// All fields of these settings by address; of the laws those of the chosen one.
   field_list fields();
   /// Sets what these lines name. Throws std::invalid_argument if one is not known or not valid.

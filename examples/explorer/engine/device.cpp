@@ -105,8 +105,7 @@ void device::set(const settings& changed) {
 }
 
 settings device::changed() {
-  configuration now = parts().settings, usual(*now.about);
-  usual.law = now.law;
+  configuration now = parts().settings, usual = now.defaults();
   settings all;
   all.set("mechanism", now.about->id);
   all.set("law", now.law_name());
@@ -116,12 +115,6 @@ settings device::changed() {
     if (name == "q" || name == "scene" || text != text_of(defaults[k])) all.set(name, text);
   }
   return all;
-}
-
-std::string device::form() {
-  configuration now = parts().settings, usual(*now.about);
-  usual.law = now.law;
-  return form_of(now.fields(), usual.fields());
 }
 
 void device::write_state() {
@@ -163,34 +156,23 @@ void device::move(const place& v) {
   std::copy_n(qd.data(), qd.size(), state_.begin() + parts_.n());
 }
 
-bool device::flip() {
-  const std::vector<double>& q = parts().settings.state.q;
-  if (!parts_.settings.about->has_branches) return false;
-  const auto other = std::sin(q[1]) > 0 ? ph::elbow::left : ph::elbow::right;
-  const auto found = parts_.mechanism->solve(parts_.mechanism->position(q), other);
-  if (found.outcome == ph::status::ok) set_joints(found.q);
-  return found.outcome == ph::status::ok;
-}
-
 void device::evaluate() { explorer::evaluate(values_, parts()); }
 
-drawing device::draw() {
+std::vector<double> device::draw() {
   const configuration& c = parts().settings;
   drawing made;
   c.about->draw({*parts_.mechanism, c.mechanism, c.state.q.data(), parts_.position(c.state.q)}, made);
-  return made;
+  return made.numbers();
 }
 
-double* device::bounds() {
+std::vector<double> device::bounds() {
   const double r = parts_.settings.about->reach(parts_.settings.mechanism), z = parts_.d() == 2 ? 0 : r;
-  bounds_ = {-r, -r, -z, r, r, z};
-  return bounds_.data();
+  return {-r, -r, -z, r, r, z};
 }
 
 std::vector<double> device::outline(int region) {
   const device_parts& of = parts();
   const int m = of.m();
-  if (region < -1 || region >= (1 << m)) refuse("region", std::to_string(region), "-1, or a region from 0");
   if (of.n() > of.d()) return region == -1 ? outline_with_self_motion(of) : std::vector<double>();
   const state_settings& s = of.settings.state;
   const pose_brakes brakes = of.kind->brakes_at(s.q, s.qd, place_of(s.Fh), of.settings.brakes.numbers());
@@ -209,7 +191,6 @@ std::vector<double> device::outline(int region) {
 
 std::vector<double> device::locus(int brake, double length) {
   const device_parts& of = parts();
-  if (brake < 0 || brake >= of.m()) refuse("brake", std::to_string(brake), "one of the device, from 0");
   std::vector<double> points;
   if (of.n() != 2) return points;
   // Joint rates at which the brake is at rest and the handle moves with 1 m/s

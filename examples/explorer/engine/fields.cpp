@@ -1,7 +1,5 @@
 #include "fields.hpp"
 
-#include "json.hpp"
-
 #include <algorithm>
 
 namespace explorer {
@@ -48,25 +46,6 @@ std::string text_of(const field& f) {
 void read(const field_list& all, const settings& given) {
   for (const field& f : all)
     if (const std::string* text = given.find(f.name)) read(f, *text);
-}
-
-std::string form_of(const field_list& now, const field_list& usual) {
-  json_writer json;
-  json.list(now, [&](const field& f) {
-    json.put("name", f.name);
-    json.put("group", f.group);
-    json.put("label", f.about.name);
-    json.put("unit", f.about.unit);
-    json.put("value", text_of(f));
-    json.put("default", text_of(usual[static_cast<std::size_t>(&f - now.data())]));
-    json.put("size", f.type == kind::numbers ? f.count() : 1);
-    json.put("kind", f.type == kind::choice ? "choice" : f.type == kind::text ? "text" : "number");
-    json.put("expected", f.type == kind::choice ? std::string("one of ") + f.about.choices
-                         : f.type == kind::text ? "a text as of the catalogue's scenes"
-                                                : to_text(f.about.hard));
-    if (f.type == kind::choice) json.put_list("choices", ph::choices_of(f.about));
-  });
-  return json.text();
 }
 
 }  // namespace explorer

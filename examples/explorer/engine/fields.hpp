@@ -1,5 +1,5 @@
 /// @file
-/// Settings by name: one code reads, writes and describes all parameters.
+/// Settings by name: one code reads and writes all parameters.
 #pragma once
 
 #include "settings.hpp"
@@ -23,22 +23,13 @@ struct field : runtime::field {
 /// Fields, in the order of a form.
 using field_list = std::vector<field>;
 
-/// Adds these members, with `prefix` before their names.
-inline void add_fields(field_list& all, const runtime::field_list& members, const std::string& prefix,
-                       const char* group) {
-  for (const runtime::field& f : members) all.push_back({f, prefix + f.about.name, group});
-}
-/// Adds the members of a table, which must outlive the list.
-inline void add_fields(field_list& all, runtime::any_parameters& table, const std::string& prefix,
-                       const char* group) {
-  add_fields(all, table.fields(), prefix, group);
-}
-/// The same for a struct of parameters.
-template <ph::Parameters P>
+/// Adds the members of parameters, which must outlive the list, with `prefix` before their names.
+template <class P>
 void add_fields(field_list& all, P& table, const std::string& prefix, const char* group) {
   runtime::field_list members;
-  runtime::add_fields(members, table);
-  add_fields(all, members, prefix, group);
+  if constexpr (ph::Parameters<P>) runtime::add_fields(members, table);
+  else members = table.fields();
+  for (const runtime::field& f : members) all.push_back({f, prefix + f.about.name, group});
 }
 
 /// The field of a name, or nullptr.
@@ -47,7 +38,5 @@ const field* find(const field_list& all, std::string_view name);
 std::string text_of(const field& f);
 /// Sets all fields that the settings name. Throws std::invalid_argument.
 void read(const field_list& all, const settings& given);
-/// The list of explorer_form(), JSON; `usual` has the defaults in the same order.
-std::string form_of(const field_list& now, const field_list& usual);
 
 }  // namespace explorer

@@ -5,8 +5,7 @@
 
 namespace explorer {
 
-figure_map::figure_map(const configuration& c, int columns, int rows, const ph::point<2>& low,
-                       const ph::point<2>& high)
+figure_map::figure_map(const configuration& c, int columns, int rows, const place& low, const place& high)
     : of_(c), columns_(columns), rows_(rows), low_(low), high_(high) {
   if (columns < 1 || rows < 1 || columns > 1000 || rows > 1000)
     refuse("map", std::to_string(columns) + " x " + std::to_string(rows), "1 to 1000 points a side");
@@ -18,11 +17,6 @@ int figure_map::advance(int rows) {
   for (; rows > 0 && done_ < rows_; --rows, ++done_)
     for (int i = 0; i < columns_; ++i) compute(i, done_);
   return done_;
-}
-
-double* figure_map::figure(int number) {
-  if (number < 0 || number >= int(figures_.size())) refuse("figure", std::to_string(number), "0 or 1");
-  return figures_[std::size_t(number)].data();
 }
 
 void figure_map::compute(int column, int row) {

@@ -15,45 +15,43 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <tuple>
+#include <utility>
 
 namespace explorer {
 namespace {
-
-using runtime::any_parameters;
 
 constexpr double brake_share = 0.13;  // radius of a brake, of the longest length of a device [1]
 const place out_of_plane(0, 0, 1);
 
 place polar(double length, double angle) { return length * place(std::cos(angle), std::sin(angle), 0); }
 
-// Links from the base over the joints to the handle, the last of `points`, with a brake on each joint.
-void draw_links(drawing& to, std::span<const place> points, double size) {
-  to.add(item_kind::ground, points.front(), size);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+// An arm over these points to the handle, with a joint at each, about z or these axes, and a brake on each
+// joint unless the brakes are elsewhere.
+void draw_arm(const drawn_pose& at, drawing& to, std::vector<place> points, double size,
+              bool has_joint_brakes = true,
+              const std::vector<place>& axes = {out_of_plane, out_of_plane, out_of_plane}) {
+  const std::size_t n = points.size();
+  points.push_back(at.handle);
+  to.add(item_kind::ground, points[0], size);
+  for (std::size_t i = 0; i < n; ++i) {
     to.add(item_kind::link, int(i), points[i], points[i + 1]);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    to.add_turning(item_kind::joint, int(i), points[i], out_of_plane);
-  to.add(item_kind::handle, points.back());
-}
-void draw_joint_brakes(drawing& to, std::span<const place> points, double size, const double* q) {
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    to.add_turning(item_kind::brake, int(i), points[i], out_of_plane, size, q[i]);
+    to.add_turning(item_kind::joint, int(i), points[i], axes[i]);
+    if (has_joint_brakes) to.add_turning(item_kind::brake, int(i), points[i], axes[i], size, at.q[i]);
+  }
+  to.add(item_kind::handle, at.handle);
 }
 
 template <class P>
-double reach_of_two_links(const any_parameters& p) {
-  return p.as<P>().length_1 + p.as<P>().length_2;
+double reach_of_two_links(const P& p) {
+  return p.length_1 + p.length_2;
 }
 
 using two_link = ph::two_link_parameters<double>;
 void draw_two_link(const drawn_pose& at, drawing& to) {
   const auto& p = at.parameters.as<two_link>();
-  const place points[] = {place::Zero(), polar(p.length_1, at.q[0]), at.handle};
-  const double size = brake_share * std::max(p.length_1, p.length_2);
-  draw_links(to, points, size);
-  draw_joint_brakes(to, points, size, at.q);
+  draw_arm(at, to, {place::Zero(), polar(p.length_1, at.q[0])},
+           brake_share * std::max(p.length_1, p.length_2));
 }
 
 // The two outer tangents of pulleys of radii r at a and s at b, in the plane.
@@ -72,17 +70,18 @@ void add_belt(drawing& to, int brake, const place& a, double r, const place& b, 
 using tendon_two_link = ph::tendon_two_link_parameters<double>;
 void draw_tendon_two_link(const drawn_pose& at, drawing& to) {
   const auto& p = at.parameters.as<tendon_two_link>();
-  const place points[] = {place::Zero(), polar(p.length_1, at.q[0]), at.handle};
+  const place shoulder = place::Zero(), elbow = polar(p.length_1, at.q[0]);
   const double size = brake_share * std::max(p.length_1, p.length_2);
-  draw_links(to, points, size);
+  draw_arm(at, to, {shoulder, elbow}, size, false);
   // The larger pulley of the reduction has the drawn size: k2 is the ratio of the radii
-  const double k2 = p.reduction_2, base = size * std::min(1.0, k2), elbow = size * std::min(1.0, 1 / k2);
+  const double k2 = p.reduction_2, at_base = size * std::min(1.0, k2),
+               at_elbow = size * std::min(1.0, 1 / k2);
   const auto turned = at.mechanism.brake_rates({at.q, 2}, {at.q, 2});  // by which the brakes' axes turned
-  add_belt(to, 1, points[0], base, points[1], elbow);
-  to.add_turning(item_kind::pulley, 1, points[0], out_of_plane, base, turned[1]);
-  to.add_turning(item_kind::pulley, 1, points[1], out_of_plane, elbow, at.q[0] + at.q[1]);
-  to.add_turning(item_kind::brake, 0, points[0], out_of_plane, size, turned[0]);
-  to.add_turning(item_kind::brake, 1, points[0], out_of_plane, size / 2, turned[1]);
+  add_belt(to, 1, shoulder, at_base, elbow, at_elbow);
+  to.add_turning(item_kind::pulley, 1, shoulder, out_of_plane, at_base, turned[1]);
+  to.add_turning(item_kind::pulley, 1, elbow, out_of_plane, at_elbow, at.q[0] + at.q[1]);
+  to.add_turning(item_kind::brake, 0, shoulder, out_of_plane, size, turned[0]);
+  to.add_turning(item_kind::brake, 1, shoulder, out_of_plane, size / 2, turned[1]);
 }
 
 constexpr double rail = 0.15;  // half of each rail of an XY table, as it is drawn [m]
@@ -120,19 +119,15 @@ void draw_five_bar(const drawn_pose& at, drawing& to) {
                      out_of_plane, size, at.q[0] + side * at.q[1]);
   to.add(item_kind::handle, at.handle);
 }
-template <int Brakes>
-double reach_of_five_bar(const any_parameters& parameters) {
-  const auto& p = parameters.as<ph::five_bar_parameters<double, Brakes>>();
+template <class P>
+double reach_of_five_bar(const P& p) {
   return p.proximal_1 + p.distal_1;
 }
 
 void draw_planar_3r(const drawn_pose& at, drawing& to) {
   const auto& p = at.parameters.as<planar_3r_parameters>();
   const place elbow = polar(p.length_1, at.q[0]), wrist = elbow + polar(p.length_2, at.q[0] + at.q[1]);
-  const place points[] = {place::Zero(), elbow, wrist, at.handle};
-  const double size = brake_share * p.reach() / 2;
-  draw_links(to, points, size);
-  draw_joint_brakes(to, points, size, at.q);
+  draw_arm(at, to, {place::Zero(), elbow, wrist}, brake_share * p.reach() / 2);
 }
 
 using delta = ph::delta_parameters<double>;
@@ -162,87 +157,61 @@ void draw_spatial_3r(const drawn_pose& at, drawing& to) {
   const auto& p = at.parameters.as<spatial_3r_parameters>();
   const place ahead = polar(1, at.q[0]), shoulder(0, 0, p.length_1), right(ahead[1], -ahead[0], 0);
   const place elbow = shoulder + p.length_2 * (std::cos(at.q[1]) * ahead + std::sin(at.q[1]) * out_of_plane);
-  const place points[] = {place::Zero(), shoulder, elbow, at.handle}, axes[] = {out_of_plane, right, right};
-  const double size = brake_share * p.reach() / 2;
-  to.add(item_kind::ground, points[0], 1.5 * size);
-  for (int i = 0; i < 3; ++i) {
-    to.add(item_kind::link, i, points[i], points[i + 1]);
-    to.add_turning(item_kind::joint, i, points[i], axes[i]);
-    to.add_turning(item_kind::brake, i, points[i], axes[i], size, at.q[i]);
-  }
-  to.add(item_kind::handle, at.handle);
+  draw_arm(at, to, {place::Zero(), shoulder, elbow}, brake_share * p.reach() / 2, true,
+           {out_of_plane, right, right});
 }
 
-runtime::catalogue filled() {
+struct page_catalogue {
   runtime::catalogue all;
-  all.add_mechanism<ph::tendon_two_link<double>, tendon_two_link>("tendon_two_link");
-  all.add_mechanism<ph::two_link<double>, two_link>("two_link");
-  all.add_mechanism<ph::xy_table<double>, ph::xy_table_parameters<double>>("xy_table");
-  all.add_mechanism<ph::five_bar<double>, ph::five_bar_parameters<double>>("five_bar");
-  all.add_mechanism<ph::five_bar<double, 4>, ph::five_bar_parameters<double, 4>>("five_bar_4");
-  all.add_mechanism<planar_3r, planar_3r_parameters>("planar_3r");
-  all.add_mechanism<ph::delta<double>, delta>("delta");
-  all.add_mechanism<spatial_3r, spatial_3r_parameters>("spatial_3r");
-  std::apply([&](const auto&... law) { all.add_laws(law...); }, example::laws);
+  std::vector<page_mechanism> mechanisms;
+
+  template <class M, class P>
+  void add(const char* id, const char* label, const char* scene, std::vector<double> start,
+           double (*reach)(const P&), void (*draw)(const drawn_pose&, drawing&), bool slides = false) {
+    all.add_mechanism<M, P>(id);
+    mechanisms.push_back({id, label, scene, std::move(start), slides,
+                          [reach](const runtime::any_parameters& p) { return reach(p.as<P>()); }, draw});
+  }
+
+  page_catalogue() {
+    // The two links begin with the handle at (0.1, 0.22) m, elbow left, the five-bars at (0.01, 0.098) m
+    const std::vector<double> two_links = {1.7806893577270945, -1.2747394484060247},
+                              five_bars = {2.239309785437203, 0.8093484082683855};
+    constexpr const char *wall = "plane:0,0.225,0,-1",                                   // of section 5.2
+        *slanted = "plane:0,0.05,0.5,-0.8660254037844386", *close = "plane:0,0.1,0,-1";  // by 30 deg, Fig. 5
+    add<ph::tendon_two_link<double>, tendon_two_link>("tendon_two_link",
+                                                      "The paper's device: two links and a tendon", wall,
+                                                      two_links, reach_of_two_links, draw_tendon_two_link);
+    add<ph::two_link<double>, two_link>("two_link", "Two links", wall, two_links, reach_of_two_links,
+                                        draw_two_link);
+    add<ph::xy_table<double>, ph::xy_table_parameters<double>>(
+        "xy_table", "XY table", slanted, {0.02, 0.055}, [](const auto&) { return rail; }, draw_xy_table,
+        true);
+    add<ph::five_bar<double>, ph::five_bar_parameters<double>>(
+        "five_bar", "Five-bar, two brakes", close, five_bars, reach_of_five_bar, draw_five_bar<2>);
+    add<ph::five_bar<double, 4>, ph::five_bar_parameters<double, 4>>(
+        "five_bar_4", "Five-bar, four brakes", close, five_bars, reach_of_five_bar, draw_five_bar<4>);
+    add<planar_3r, planar_3r_parameters>(
+        "planar_3r", "Three links in the plane, one more than needed", "plane:0,0.2,0,-1",
+        {2.13, -1.12, -1.06}, [](const auto& p) { return p.reach(); }, draw_planar_3r);
+    add<ph::delta<double>, delta>(
+        "delta", "Delta", "plane:0,0,-0.15,0,0,1", {0.5, 0.62, 0.71},
+        [](const auto& p) { return p.base_radius + p.upper_arm + p.forearm; }, draw_delta);
+    add<spatial_3r, spatial_3r_parameters>(
+        "spatial_3r", "An arm in space", "plane:0,0,0.05,0,0,1", {0.3, 0.3, -1.6},
+        [](const auto& p) { return p.reach(); }, draw_spatial_3r);
+    std::apply([&](const auto&... law) { all.add_laws(law...); }, example::laws);
+  }
+};
+
+const page_catalogue& of_page() {
+  static const page_catalogue all;
   return all;
 }
 
 }  // namespace
 
-const std::vector<page_mechanism>& mechanisms() {
-  // The two links begin with the handle at (0.1, 0.22) m, elbow left, the five-bars at (0.01, 0.098) m
-  constexpr const char* wall = "plane:0,0.225,0,-1";  // of section 5.2
-  static const std::vector<double> two_link_start = {1.7806893577270945, -1.2747394484060247},
-                                   five_bar_start = {2.239309785437203, 0.8093484082683855};
-  static const std::vector<page_mechanism> all = {
-      {"tendon_two_link", "The paper's device: two links and a tendon", wall, two_link_start, false, true,
-       reach_of_two_links<tendon_two_link>, draw_tendon_two_link},
-      {"two_link", "Two links", wall, two_link_start, false, true, reach_of_two_links<two_link>,
-       draw_two_link},
-      {"xy_table",
-       "XY table",
-       "plane:0,0.05,0.5,-0.8660254037844386",
-       {0.02, 0.055},
-       true,
-       false,
-       [](const any_parameters&) { return rail; },
-       draw_xy_table},  // slanted by 30 deg, Fig. 5
-      {"five_bar", "Five-bar, two brakes", "plane:0,0.1,0,-1", five_bar_start, false, false,
-       reach_of_five_bar<2>, draw_five_bar<2>},
-      {"five_bar_4", "Five-bar, four brakes", "plane:0,0.1,0,-1", five_bar_start, false, false,
-       reach_of_five_bar<4>, draw_five_bar<4>},
-      {"planar_3r",
-       "Three links in the plane, one more than needed",
-       "plane:0,0.2,0,-1",
-       {2.13, -1.12, -1.06},
-       false,
-       false,
-       [](const any_parameters& p) { return p.as<planar_3r_parameters>().reach(); },
-       draw_planar_3r},
-      {"delta",
-       "Delta",
-       "plane:0,0,-0.15,0,0,1",
-       {0.5, 0.62, 0.71},
-       false,
-       false,
-       [](const any_parameters& p) {
-         return p.as<delta>().base_radius + p.as<delta>().upper_arm + p.as<delta>().forearm;
-       },
-       draw_delta},
-      {"spatial_3r",
-       "An arm in space",
-       "plane:0,0,0.05,0,0,1",
-       {0.3, 0.3, -1.6},
-       false,
-       false,
-       [](const any_parameters& p) { return p.as<spatial_3r_parameters>().reach(); },
-       draw_spatial_3r}};
-  return all;
-}
-
-const runtime::catalogue& catalogue() {
-  static const runtime::catalogue all = filled();
-  return all;
-}
+const std::vector<page_mechanism>& mechanisms() { return of_page().mechanisms; }
+const runtime::catalogue& catalogue() { return of_page().all; }
 
 }  // namespace explorer

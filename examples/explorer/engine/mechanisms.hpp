@@ -6,6 +6,7 @@
 
 #include <passive_haptics/runtime/catalogue.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace explorer {
@@ -25,9 +26,8 @@ struct page_mechanism {
   const char* scene;          ///< The wall at first.
   std::vector<double> start;  ///< Joint positions at first [rad or m].
   bool slides;                ///< Joints slide, not turn.
-  bool has_branches;          ///< Another elbow puts the handle where it is.
-  double (*reach)(
-      const runtime::any_parameters& parameters);     ///< Half the size of the box about the base [m].
+  std::function<double(const runtime::any_parameters& parameters)>
+      reach;                                          ///< Half the size of the box about the base [m].
   void (*draw)(const drawn_pose& pose, drawing& to);  ///< Adds its items.
 };
 

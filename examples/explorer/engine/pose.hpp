@@ -1,5 +1,5 @@
 /// @file
-/// The values of a pose: motion, forces, brakes and decision, each under the name that exports.hpp lists.
+/// The values of a pose: motion, forces, brakes and decision.
 #pragma once
 
 #include "parts.hpp"

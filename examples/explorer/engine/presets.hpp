@@ -98,7 +98,7 @@ inline constexpr preset presets[] = {
      "qd=-0.314448465631,0.275585167518\nFh=0.8,1.6\n"},
     {"edge", "Around an edge", "Pull the handle along one face of the edge and around its corner.",
      "mechanism=tendon_two_link\nlaw=velocity_direct_control\n"
-     "scene=edge:0.1,0.215,-0.5,-0.8660254037844386,0.5,-0.8660254037844386\n"
+     "scene=outline:0.1,0.215,0.97,0.717,-0.77,0.717\n"
      "q=2.0409699934215944,-1.4919591304304407\n"},
     {"outline", "The outline of a body",
      "Touch the body from all sides: it has corners that stand out and one that leads in.",

@@ -52,9 +52,4 @@ replayed_log::replayed_log(const device_parts& of, const std::string& text) : ro
   }
 }
 
-value_table& replayed_log::row(int line) {
-  if (line >= 0 && line < count()) std::copy_n(rows_.data() + line * row_.size(), row_.size(), row_.data());
-  return row_;
-}
-
 }  // namespace explorer

@@ -10,17 +10,17 @@
 
 namespace explorer {
 
-/// The log of a device; see log_open().
+/// The log of a device.
 class replayed_log {
  public:
   /// Throws example::log_error at the first line that is wrong.
   replayed_log(const device_parts& of, const std::string& text);
-  /// Its lines.
-  int count() const { return static_cast<int>(rows_.size()) / row_.size(); }
-  /// The columns, filled with a line if there is one of this number.
-  value_table& row(int line);
-  /// Capacities as in the log, of those compared.
-  double* agreement() { return agreement_.data(); }
+  /// The columns, as those of a simulation.
+  const value_table& row() const { return row_; }
+  /// A row for each line; NaN for what the log does not have.
+  const std::vector<double>& rows() const { return rows_; }
+  /// Lines with capacities equal to those of the law to the last digit, of those that have any.
+  const std::array<double, 2>& agreement() const { return agreement_; }
 
  private:
   value_table row_;

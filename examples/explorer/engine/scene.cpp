@@ -4,7 +4,6 @@
 
 #include <passive_haptics/scene/mesh/mesh_solid.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
-#include <passive_haptics/scene/shapes/box.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <cmath>
@@ -15,55 +14,37 @@ namespace explorer {
 namespace {
 
 constexpr const char* expected_in_plane =
-    "none, plane:X,Y,NX,NY, solid:X,Y,RADIUS, hollow:X,Y,RADIUS, edge:X,Y,NX,NY,NX,NY or "
-    "outline:X,Y,X,Y,X,Y,...";
+    "none, plane:X,Y,NX,NY, solid:X,Y,RADIUS, hollow:X,Y,RADIUS or outline:X,Y,X,Y,X,Y,...";
 constexpr const char* expected_in_space =
-    "none, plane:X,Y,Z,NX,NY,NZ, solid:X,Y,Z,RADIUS, hollow:X,Y,Z,RADIUS or box:X,Y,Z,X,Y,Z (two corners)";
+    "none, plane:X,Y,Z,NX,NY,NZ, solid:X,Y,Z,RADIUS or hollow:X,Y,Z,RADIUS";
 
 bool fits(const std::string& kind, std::size_t count, std::size_t d) {
   if (kind == "plane") return count == 2 * d;
   if (kind == "solid" || kind == "hollow") return count == d + 1;
-  if (kind == "box") return d == 3 && count == 6;
-  return d == 2 && (kind == "edge" ? count == 6 : kind == "outline" && count >= 6 && count % 2 == 0);
-}
-
-// The corners of an edge, which is counter-clockwise with the inside left of each side: far along face a,
-// its own one, and far along face b.
-std::vector<ph::point<2>> corners_of_edge(const std::vector<double>& x) {
-  constexpr double far_off = 10;  // [m], beyond any handle
-  const ph::point<2> corner(x[0], x[1]);
-  ph::point<2> a = ph::direction_of(ph::point<2>(x[2], x[3])), b = ph::direction_of(ph::point<2>(x[4], x[5]));
-  if (ph::cross_in_plane(a, b) < 0) std::swap(a, b);
-  if (!(std::abs(ph::cross_in_plane(a, b)) > 1e-6))
-    refuse("scene edge", number_text(a[0]) + "," + number_text(a[1]), "normals in two directions");
-  return {corner + far_off * ph::point<2>(a[1], -a[0]), corner, corner + far_off * ph::point<2>(-b[1], b[0])};
+  return d == 2 && kind == "outline" && count >= 6 && count % 2 == 0;
 }
 
 // A polygon with these corners, either way round, solid inside.
-ph::mesh_solid<2> polygon_of(const std::vector<ph::point<2>>& corners) {
-  const int n = static_cast<int>(corners.size());
-  ph::mesh_parameters<2> sides{corners, {}};
-  double area = 0;
+ph::mesh_solid<2> polygon_of(const std::vector<double>& x) {
+  const int n = static_cast<int>(x.size() / 2);
+  ph::mesh_parameters<2> sides;
   for (int i = 0; i < n; ++i) {
-    area += ph::cross_in_plane(corners[std::size_t(i)], corners[std::size_t((i + 1) % n)]);
+    sides.vertices.emplace_back(x.data() + 2 * i);
     sides.facets.push_back({i, (i + 1) % n});
   }
-  if (area < 0)
+  if (ph::mesh<2>(sides).content() < 0)
     for (auto& side : sides.facets) std::swap(side[0], side[1]);
   return ph::mesh_solid<2>(ph::mesh<2>(sides));
 }
 
 template <int D>
-any_shape<D> shape_of(const std::string& kind, const std::vector<double>& x,
-                      const std::vector<ph::point<2>>& corners) {
+any_shape<D> shape_of(const std::string& kind, const std::vector<double>& x) {
   using point = ph::point<D>;
   if (kind == "plane") return any_shape<D>(ph::half_space<D>(point(x.data()), point(x.data() + D)));
-  if (kind == "solid" || kind == "hollow") {
-    const auto inside = kind == "solid" ? ph::filling::solid : ph::filling::hollow;
-    return any_shape<D>(ph::ball<D>(point(x.data()), x.back(), inside));
-  }
-  if constexpr (D == 2) return any_shape<2>(polygon_of(corners));
-  else return any_shape<3>(ph::box<3>(point(x.data()), point(x.data() + 3)));
+  if constexpr (D == 2)
+    if (kind == "outline") return any_shape<2>(polygon_of(x));
+  const auto inside = kind == "solid" ? ph::filling::solid : ph::filling::hollow;
+  return any_shape<D>(ph::ball<D>(point(x.data()), x.back(), inside));
 }
 
 void add(std::vector<double>& points, std::initializer_list<place> all) {
@@ -98,17 +79,6 @@ void add_ball(std::vector<double>& points, const place& centre, double radius) {
       add_quadrilateral(points, on(i, j), on(i + 1, j), on(i + 1, j + 1), on(i, j + 1));
 }
 
-void add_box(std::vector<double>& points, const place& low, const place& high) {
-  const auto corner = [&](int bits) {
-    return place((bits & 1) != 0 ? high[0] : low[0], (bits & 2) != 0 ? high[1] : low[1],
-                 (bits & 4) != 0 ? high[2] : low[2]);
-  };
-  constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                               {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-  for (const auto& f : faces)
-    add_quadrilateral(points, corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3]));
-}
-
 }  // namespace
 
 wall_shape::wall_shape(const std::string& text, int dimension) : kind_(text.substr(0, text.find(':'))) {
@@ -119,11 +89,8 @@ wall_shape::wall_shape(const std::string& text, int dimension) : kind_(text.subs
   for (const double x : numbers_)
     if (!std::isfinite(x)) refuse("scene", text, "finite numbers");
   if (!fits(kind_, numbers_.size(), std::size_t(dimension))) refuse("scene", text, expected);
-  if (kind_ == "edge") corners_ = corners_of_edge(numbers_);
-  for (std::size_t i = 0; kind_ == "outline" && i < numbers_.size(); i += 2)
-    corners_.emplace_back(numbers_[i], numbers_[i + 1]);
-  if (dimension == 2) shape_ = shape_of<2>(kind_, numbers_, corners_);
-  else shape_ = shape_of<3>(kind_, numbers_, corners_);
+  if (dimension == 2) shape_ = shape_of<2>(kind_, numbers_);
+  else shape_ = shape_of<3>(kind_, numbers_);
 }
 
 double wall_shape::distance(const place& x) const {
@@ -141,10 +108,10 @@ place wall_shape::gradient(const place& x) const {
   return solid == nullptr ? place(place::Zero()) : place(solid->gradient(x));
 }
 
-std::vector<double> wall_shape::surface(const ph::point<2>& low, const ph::point<2>& high) const {
+std::vector<double> wall_shape::surface(const place& low, const place& high) const {
   std::vector<double> points;
   if (!*this) return points;
-  const double reach = (high - low).norm();
+  const double reach = (high - low).head<2>().norm();
   const bool is_space = shape<3>() != nullptr, is_plane = kind_ == "plane";
   const std::size_t d = is_space ? 3 : 2;
   const auto at = [&](std::size_t k) {
@@ -153,22 +120,19 @@ std::vector<double> wall_shape::surface(const ph::point<2>& low, const ph::point
   const place middle((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0), centre = at(0);
   if (is_space) {
     if (is_plane) add_plane(points, centre, at(d), middle, reach / 2);
-    else if (kind_ == "box") add_box(points, centre, at(d));
     else add_ball(points, centre, numbers_.back());
   } else if (is_plane) {
     const place n = ph::direction_of(at(d)), on = middle - n * n.dot(middle - centre);
     const place along = reach * place(-n[1], n[0], 0);
     add(points, {on - along, on + along});
-  } else if (corners_.empty()) {
+  } else if (kind_ == "outline") {
+    for (std::size_t i = 0; i < numbers_.size(); i += 2) add(points, {at(i), at((i + 2) % numbers_.size())});
+  } else {
     constexpr int sides = 128;
     const auto on = [&](int k) {
       return place(centre + numbers_.back() * on_circle(2 * std::numbers::pi * k / sides));
     };
     for (int k = 0; k < sides; ++k) add(points, {on(k), on(k + 1)});
-  } else {
-    const std::size_t n = corners_.size(), sides = kind_ == "edge" ? 2 : n;  // its third side is far off
-    for (std::size_t i = 0; i < sides; ++i)
-      for (const auto& c : {corners_[i], corners_[(i + 1) % n]}) add(points, {place(c[0], c[1], 0)});
   }
   return points;
 }

@@ -19,7 +19,7 @@ namespace explorer {
 
 using runtime::any_shape;
 
-/// The shape of a text (exports.hpp), or none.
+/// The shape of a text (settings.hpp), or none.
 class wall_shape {
  public:
   /// In `dimension` dimensions. Throws std::invalid_argument.
@@ -36,13 +36,12 @@ class wall_shape {
   const any_shape<D>* shape() const {
     return std::get_if<any_shape<D>>(&shape_);
   }
-  /// The surface inside a rectangle [m]: in the plane segments, 2 points each, in space triangles.
-  std::vector<double> surface(const ph::point<2>& low, const ph::point<2>& high) const;
+  /// The surface inside a rectangle [m]: points x, y, z, in the plane segments of 2 each, in space triangles.
+  std::vector<double> surface(const place& low, const place& high) const;
 
  private:
   std::string kind_;
   std::vector<double> numbers_;
-  std::vector<ph::point<2>> corners_;
   std::variant<std::monostate, any_shape<2>, any_shape<3>> shape_;
 };
 

@@ -24,21 +24,12 @@ const std::string* settings::find(std::string_view name) const {
 }
 
 void settings::set(std::string_view name, std::string_view value) {
-  // Links of earlier versions: the links of the tendon device had a table of their own, and the map a push
-  constexpr std::string_view old_prefix = "mechanism.arm.";
-  if (name == "map.push") return;
-  if (name.starts_with(old_prefix))
-    return set(std::string("mechanism.").append(name.substr(old_prefix.size())), value);
   for (auto& [known, old] : lines_)
     if (known == name) {
       old = value;
       return;
     }
   lines_.emplace_back(name, value);
-}
-
-void settings::set(const settings& others) {
-  for (const auto& [name, value] : others.lines_) set(name, value);
 }
 
 std::string settings::text() const {

@@ -83,7 +83,6 @@ void put_cycle(value_table& row, const runtime::state_view& state, const runtime
 
 simulation::simulation(const configuration& c) : parts_(c), row_(row_table(c)) {
   parts_.require_wall_for_hand();
-  ring_.resize(std::size_t(ring_size) * std::size_t(row_.size()));
   restart();
   check_hand(parts_, *plant_);
 }
@@ -149,15 +148,11 @@ void simulation::step(int cycles, const place& pointer, bool is_held) {
   if (!is_pointed_) pointer_ = pointer;
   is_pointed_ = true;
   const place from = pointer_;
+  rows_.clear();
   for (int k = 1; k <= cycles; ++k) {
     pointer_ = from + double(k) / cycles * (pointer - from);
     one_cycle(is_held);
   }
-}
-
-double* simulation::figures() {
-  figures_ = {separations_, contact_time_};
-  return figures_.data();
 }
 
 void simulation::record(bool is_on) {
@@ -247,8 +242,7 @@ void simulation::put_row(const runtime::state_view& state, const runtime::cycle_
   put_brake_states(row_, c, rates, r.capacity);
   const place way = ph::direction_of(place_of(c.path.direction));
   row_.put("progress", way.dot(position() - start_) / c.path.length);
-  const std::size_t width = std::size_t(row_.size());
-  std::copy_n(row_.data(), width, ring_.data() + std::size_t(cycles_ % ring_size) * width);
+  rows_.insert(rows_.end(), row_.data(), row_.data() + row_.size());
 }
 
 }  // namespace explorer

@@ -19,30 +19,27 @@ value_table row_table(const configuration& c);
 /// Puts state and decision of a cycle.
 void put_cycle(value_table& row, const runtime::state_view& state, const runtime::cycle_record& r);
 
-/// A simulated device; see sim_new() and what follows it.
+/// A simulated device.
 class simulation {
  public:
-  static constexpr int ring_size = 4096;  ///< Cycles that the ring holds.
-
   /// Begins at the state of the settings.
   explicit simulation(const configuration& c);
   /// Changes settings while it runs. Throws std::invalid_argument, with nothing changed.
   void set(const settings& changed);
-  /// Runs cycles of 1 ms; the pointer goes to `pointer` [m] meanwhile.
+  /// Runs cycles of 1 ms, in which the pointer goes evenly from where it was to `pointer` [m] and pulls by
+  /// the hand's spring if it is held. A hand that moves by itself does not read it.
   void step(int cycles, const place& pointer, bool is_held);
-  /// Begins again.
+  /// Begins again at the start of the settings.
   void restart();
   /// The last cycle.
   value_table& row() { return row_; }
-  /// The last cycles, row by row.
-  double* ring() { return ring_.data(); }
-  /// Cycles so far.
-  double cycles() const { return double(cycles_); }
-  /// The figures of sim_figures().
-  double* figures();
-  /// Begins or ends a record.
+  /// A row for each cycle of the last step().
+  const std::vector<double>& rows() const { return rows_; }
+  /// Since the start: separations while the hand pushes, and the time since the first contact [s].
+  std::array<double, 2> figures() const { return {separations_, contact_time_}; }
+  /// Begins a record of at most 2 minutes, which forgets the last one, or ends it.
   void record(bool is_on);
-  /// The record as a log.
+  /// The record as a log of the library, CSV (docs/guide/log.md).
   std::string log() const;
 
  private:
@@ -78,8 +75,7 @@ class simulation {
   double motion_time_ = 0;                     // since the start of the hand's way [s]
   long cycles_ = 0;
   value_table row_;
-  std::vector<double> ring_;
-  std::array<double, 2> figures_{};
+  std::vector<double> rows_;
   std::vector<recorded> record_;
 };
 

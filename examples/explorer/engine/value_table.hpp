@@ -2,18 +2,18 @@
 /// A flat table of named numbers: all that the page shows, with label, symbol, equation and unit of each.
 #pragma once
 
-#include "json.hpp"
-
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace explorer {
 
 /// Some places of the table.
 struct named_value {
-  const char* id;        ///< As exports.hpp lists it.
+  const char* id;        ///< Its name in the page.
   const char* label;     ///< In words.
   const char* symbol;    ///< As in the paper; empty where it has none.
   const char* equation;  ///< Its number in the paper; empty where it has none.
@@ -43,11 +43,14 @@ class value_table {
 
   /// Sets all numbers.
   void fill(double x) { std::fill(numbers_.begin(), numbers_.end(), x); }
-  /// The numbers of a value.
-  double* operator[](std::string_view id) {
+  /// The numbers of a value; none if the table has none of this name.
+  std::span<double> value(std::string_view id) {
     const auto found = std::find_if(names_.begin(), names_.end(), [&](const auto& v) { return id == v.id; });
-    return numbers_.data() + found->offset;
+    if (found == names_.end()) return {};
+    return {numbers_.data() + found->offset, std::size_t(found->size)};
   }
+  /// The first of them.
+  double* operator[](std::string_view id) { return value(id).data(); }
   /// Sets a value of one number.
   void put(std::string_view id, double x) { *(*this)[id] = x; }
   /// Sets the first numbers of a value.
@@ -55,22 +58,6 @@ class value_table {
     requires requires(const Values& v) { v.size(); }
   void put(std::string_view id, const Values& values) {
     std::copy_n(values.data(), values.size(), (*this)[id]);
-  }
-
-  /// The list of names (exports.hpp).
-  void write(json_writer& json) const {
-    json.list(names_, [&](const named_value& v) {
-      json.put("id", v.id);
-      json.put("label", v.label);
-      json.put("symbol", v.symbol);
-      json.put("equation", v.equation);
-      json.put("unit", v.unit);
-      json.put("group", v.group);
-      json.put("offset", v.offset);
-      json.put("size", v.size);
-      json.put("columns", v.columns);
-      if (!v.words.empty()) json.put_list("words", v.words);
-    });
   }
 
  private:

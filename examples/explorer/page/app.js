@@ -61,23 +61,15 @@ export const colors = () => app.laws.map(law => app.theme.laws[law_slots[law] ??
 export const form_value = name => app.device.form().find(entry => entry.name === name)?.value ?? '';
 
 // The numbers of a value: of the last row, else of the device.
-export function value(id) {
-  const number = tracks()?.value(app.focus, id);
-  if (number) return number;
-  return app.device.value(id);
-}
-
-export function word(id, k) {
-  return tracks()?.value(app.focus, id) ? tracks().word(app.focus, id, k) : app.device.word(id, k);
-}
-
-export const brake_states = () => brakes_of(app.device, tracks() ? value : app.device.value, word);
+export const value = id => tracks()?.value(app.focus, id) ?? app.device.value(id);
+export const word = (id, k) => tracks()?.word(app.focus, id, k) ?? app.device.word(id, k);
+export const brake_states = () => brakes_of(app.device, value, word);
 
 // The device takes the state of the last row.
 export function follow_tracks() {
   const q = tracks()?.value(app.focus, 'q');
   if (!q) return;
-  const state = app.device.state(app.info.joints);
+  const state = app.device.state();
   state.q.set(q);
   state.qd.set(tracks().value(app.focus, 'qd'));
   state.Fh.set(tracks().value(app.focus, 'hand_force'));

@@ -1,79 +1,55 @@
 // Arrows of forces and velocities, and the cones of forces that brakes can make.
 
 import {line_path, points_path} from './pen.js';
+import {cross, dot, frame_at, length_of, minus, plus, times} from './vectors.js';
 
 // An arrow from a pixel along a vector of pixels. Where the vector is longer than most, the shaft is broken
 // by a zigzag, and the head stands at most. Returns the head.
 export function draw_arrow(pen, from, vector, style, most = Infinity) {
-  const full = Math.hypot(...vector);
+  const full = length_of(vector);
   if (!(full > 0.5)) return from;
   const is_cut = full > most,
-    length = is_cut ? most : full,
-    a = vector.map(c => c / full),
-    b = [-a[1], a[0]];
-  const width = style.width,
+    length = Math.min(full, most),
+    at = frame_at(from, vector),
+    {width, color, alpha} = style,
     head = Math.min(length, 3.2 * width + 5),
-    half = 0.42 * head;
-  const at = (s, t) => [from[0] + s * a[0] + t * b[0], from[1] + s * a[1] + t * b[1]],
+    half = 0.42 * head,
     neck = length - 0.82 * head;
   const shaft = is_cut
-    ? points_path([at(0, 0), at(neck - 22, 0), at(neck - 18, 5), at(neck - 12, -5), at(neck - 8, 0), at(neck, 0)])
-    : line_path(from, at(Math.max(0, neck), 0));
-  const outline = points_path(
-    [at(length, 0), at(length - head, half), at(length - 0.82 * head, 0), at(length - head, -half)],
-    true,
-  );
-  pen.path(shaft, {stroke: style.color, width, dash: style.dash, cap: 'butt', alpha: style.alpha});
-  pen.path(
-    outline,
-    style.is_open
-      ? {fill: style.paper, stroke: style.color, width: 1.5, alpha: style.alpha}
-      : {fill: style.color, alpha: style.alpha},
-  );
-  return at(length, 0);
+    ? points_path([from, at(neck - 22), at(neck - 18, 5), at(neck - 12, -5), at(neck - 8), at(neck)])
+    : line_path(from, at(Math.max(0, neck)));
+  const outline = points_path([at(length), at(length - head, half), at(neck), at(length - head, -half)], true);
+  pen.path(shaft, {stroke: color, width, dash: style.dash, cap: 'butt', alpha});
+  pen.path(outline, style.is_open ? {fill: style.paper, stroke: color, width: 1.5, alpha} : {fill: color, alpha});
+  return at(length);
 }
 
-// A polygon of forces in the plane [N] about a point on the screen.
+// The pixels of forces [N] about a point on the screen.
+const heads_of = (camera, at, forces, scale) => forces.map(f => plus(at, camera.vector(f), scale));
+
+// A polygon of forces in the plane.
 export function draw_cone(pen, camera, at, points, scale, style) {
-  pen.path(
-    points_path(
-      points.map(f => {
-        const d = camera.vector(f);
-        return [at[0] + scale * d[0], at[1] + scale * d[1]];
-      }),
-      true,
-    ),
-    style,
-  );
+  pen.path(points_path(heads_of(camera, at, points, scale), true), style);
 }
 
 // Triangles of forces in space, far ones first, each as bright as it faces the light.
 export function draw_solid_cone(pen, camera, at, points, scale, style) {
   const faces = new Map(),
-    largest = Math.max(...points.map(f => Math.hypot(...f))) ** 2;
+    largest = Math.max(...points.map(length_of)) ** 2;
   for (let k = 0; k + 2 < points.length; k += 3) {
     const corners = points.slice(k, k + 3),
-      edges = [0, 1].map(j => [0, 1, 2].map(i => corners[j + 1][i] - corners[0][i]));
-    const normal = [0, 1, 2].map(
-        i => edges[0][(i + 1) % 3] * edges[1][(i + 2) % 3] - edges[0][(i + 2) % 3] * edges[1][(i + 1) % 3],
-      ),
-      size = Math.hypot(...normal);
+      normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[1])),
+      size = length_of(normal);
     if (!(size > 1e-9 * largest)) continue;
     // Triangles of one flat face are painted as one, so that no seam shows.
-    const unit = normal.map(c => c / size),
+    const unit = times(1 / size, normal),
       sign = Math.sign(unit.find(c => Math.abs(c) > 1e-3)),
-      side = unit.reduce((sum, c, i) => sum + sign * c * corners[0][i], 0) / Math.sqrt(largest);
-    const key = [...unit.map(c => sign * c), side].map(c => Math.round(50 * c) + 0).join();
+      side = (sign * dot(unit, corners[0])) / Math.sqrt(largest),
+      key = [...times(sign, unit), side].map(c => Math.round(50 * c) + 0).join();
     if (!faces.has(key)) faces.set(key, {path: '', depth: 0, count: 0, light: Math.abs(unit[2])});
     const face = faces.get(key),
-      turn = turned(corners.map(f => camera.vector(f)));
-    face.path += points_path(
-      (turn < 0 ? [...corners].reverse() : corners).map(f => {
-        const d = camera.vector(f);
-        return [at[0] + scale * d[0], at[1] + scale * d[1]];
-      }),
-      true,
-    );
+      pixels = heads_of(camera, at, corners, scale);
+    face.path += points_path(turned(pixels) < 0 ? pixels.reverse() : pixels, true);
     face.depth += camera.depth(corners[0]) + camera.depth(corners[1]) + camera.depth(corners[2]);
     ++face.count;
   }
@@ -85,19 +61,16 @@ const turned = ([a, b, c]) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c
 
 // A spring between two pixels, with which the hand pulls.
 export function draw_spring(pen, from, to, style) {
-  const d = [to[0] - from[0], to[1] - from[1]],
-    length = Math.hypot(...d);
+  const d = minus(to, from),
+    length = length_of(d);
   if (length < 6) return;
-  const a = d.map(c => c / length),
-    b = [-a[1], a[0]],
+  const at = frame_at(from, d),
     points = [from],
     turns = 9,
     ends = Math.min(10, 0.15 * length);
-  for (let k = 0; k <= 2 * turns; ++k) {
-    const s = ends + ((length - 2 * ends) * k) / (2 * turns),
-      t = k === 0 || k === 2 * turns ? 0 : k % 2 ? 4.5 : -4.5;
-    points.push([from[0] + s * a[0] + t * b[0], from[1] + s * a[1] + t * b[1]]);
-  }
-  points.push(to);
-  pen.path(points_path(points), style);
+  for (let k = 0; k <= 2 * turns; ++k)
+    points.push(
+      at(ends + ((length - 2 * ends) * k) / (2 * turns), k === 0 || k === 2 * turns ? 0 : k % 2 ? 4.5 : -4.5),
+    );
+  pen.path(points_path([...points, to]), style);
 }

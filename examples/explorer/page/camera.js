@@ -1,6 +1,8 @@
 // Where a point of the base frame [m] is on the screen [CSS pixels], and back. The plane is seen from
 // above, y up; space by a parallel projection of its own, turned by two angles.
 
+import {dot, length_of, minus, plus, times} from './vectors.js';
+
 export function plane_camera(scale, origin) {
   return {
     is_space: false,
@@ -25,26 +27,19 @@ function space_camera(scale, middle, centre, yaw, pitch) {
   const right = [cy, sy, 0],
     up = [-sy * sp, cy * sp, cp],
     towards = [sy * cp, -cy * cp, sp];
-  const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const vector = f => [dot(f, right), -dot(f, up)];
-  const from = p => [p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]];
-  const back_vector = d => [0, 1, 2].map(i => d[0] * right[i] - d[1] * up[i]);
+  const from = p => minus(p, centre);
+  const back_vector = d => plus(times(d[0], right), up, -d[1]);
   return {
     is_space: true,
     scale,
-    point: p => {
-      const f = vector(from(p));
-      return [middle[0] + scale * f[0], middle[1] + scale * f[1]];
-    },
+    point: p => plus(middle, vector(from(p)), scale),
     vector,
     // How near a point is to the eye [m].
     depth: p => dot(from(p), towards),
     // The point under a pixel, in the plane parallel to the screen through p.
-    back: (pixel, p) => {
-      const d = back_vector([(pixel[0] - middle[0]) / scale, (pixel[1] - middle[1]) / scale]);
-      const forward = dot(from(p), towards);
-      return [0, 1, 2].map(i => centre[i] + d[i] + forward * towards[i]);
-    },
+    back: (pixel, p) =>
+      plus(plus(centre, back_vector(minus(pixel, middle)), 1 / scale), towards, dot(from(p), towards)),
     back_vector,
     // The unit vector to the eye.
     towards,
@@ -61,6 +56,5 @@ export function fitting_camera(box, is_space, width, height, margin, yaw = 0, pi
     const scale = Math.min(room[0] / size[0], room[1] / size[1]);
     return plane_camera(scale, [middle[0] - scale * centre[0], middle[1] + scale * centre[1]]);
   }
-  const reach = Math.hypot(...size);
-  return space_camera(Math.min(room[0], room[1]) / (0.86 * reach), middle, centre, yaw, pitch);
+  return space_camera(Math.min(...room) / (0.86 * length_of(size)), middle, centre, yaw, pitch);
 }

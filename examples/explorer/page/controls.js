@@ -6,7 +6,7 @@ import {ended, set_sentence, symbol_html} from './format.js';
 import {keep_link} from './link.js';
 import {by_id, refuse} from './messages.js';
 import {begin} from './open.js';
-import {law_look, law_name, layers} from './story.js';
+import {law_look, layers} from './story.js';
 
 const groups = [
   ['mechanism', 'Mechanism'],
@@ -42,7 +42,6 @@ export function show_controls() {
   for (const id of ['transport', 'plots', 'records']) by_id(id).hidden = !is_moving();
   document.body.dataset.question = question.id;
   document.body.classList.toggle('moving', is_moving());
-  by_id('flip').hidden = question.is_moving || !app.info.has_branches;
   by_id('self').setAttribute('aria-pressed', String(app.is_by_itself));
   by_id('hint').hidden =
     !(question.is_moving && (question.step === 4 || !app.is_by_itself || app.is_paused)) || !!app.log;
@@ -62,12 +61,9 @@ function mark_current(link, is_current) {
 const show_form = () => form.show(app.device.form(), groups);
 
 function show_scene() {
-  const text = form_value('scene'),
-    select = by_id('scene'),
-    kind = text.split(':')[0];
   const fitting = scenes.filter(([, , only]) => !only || only === app.info.dimension);
-  select.innerHTML = fitting.map(([id, label]) => `<option value="${id}">${label}</option>`).join('');
-  select.value = kind || 'none';
+  by_id('scene').innerHTML = fitting.map(([id, label]) => `<option value="${id}">${label}</option>`).join('');
+  by_id('scene').value = form_value('scene').split(':')[0];
 }
 
 // Kinds of walls, with the dimension that some need.
@@ -76,50 +72,28 @@ const scenes = [
   ['plane', 'Plane'],
   ['solid', 'Circle or ball from outside'],
   ['hollow', 'Circle or ball from inside'],
-  ['edge', 'Edge', 2],
   ['outline', 'Outline of a body', 2],
-  ['box', 'Box', 3],
 ];
 
 // A wall of this kind a little beyond the handle.
 export function scene_text(kind) {
-  if (kind === 'none') return kind;
-  const x = app.device.value('x').slice(0, app.info.dimension),
-    reach = app.scales.reach,
-    y = x.map((c, i) => c + (i === 1 ? 0.02 * reach : 0));
-  const along = (i, way) => y.map((c, k) => c + (k === i ? way : 0)),
-    up = x.map((_, i) => (i === 1 ? -1 : 0));
+  const {reach} = app.scales,
+    [x, y, ...z] = app.device.value('x').slice(0, app.info.dimension),
+    at = (aside, ahead) => [x + aside * reach, y + ahead * reach, ...z];
   const numbers = {
-    plane: () => [...y, ...up],
-    solid: () => [...along(1, 0.25 * reach), 0.25 * reach],
-    hollow: () => [...along(1, -0.3 * reach), 0.3 * reach],
-    edge: () => [...y, -0.6, -0.8, 0.6, -0.8],
-    outline: () =>
-      [
-        [-0.2, 0.02],
-        [0, 0],
-        [0.2, 0.02],
-        [0.12, 0.2],
-        [-0.12, 0.2],
-      ].flatMap(([a, b]) => [y[0] + a * reach, y[1] + b * reach]),
-    box: () => [
-      ...x.map((c, i) => c - (i === 1 ? -0.02 : 0.15) * reach),
-      ...x.map((c, i) => c + (i === 1 ? 0.2 : 0.15) * reach),
-    ],
-  }[kind]();
-  return kind + ':' + numbers.map(c => Number(c.toPrecision(4))).join();
+    plane: [...at(0, 0.02), 0, -1, ...z.map(() => 0)],
+    solid: [...at(0, 0.27), 0.25 * reach],
+    hollow: [...at(0, -0.28), 0.3 * reach],
+    outline: [at(-0.2, 0.04), at(0, 0.02), at(0.2, 0.04), at(0.12, 0.22), at(-0.12, 0.22)].flat(),
+  }[kind];
+  return numbers ? kind + ':' + numbers.map(c => Number(c.toPrecision(4))) : kind;
 }
 
 function show_legend() {
-  by_id('legend').replaceChildren(
-    ...layers
-      .filter(({id, mark}) => mark && app.layers.has(id))
-      .map(layer => {
-        const made = document.createElement('span');
-        made.innerHTML = legend_mark(layer) + symbol_html(layer.label);
-        return made;
-      }),
-  );
+  by_id('legend').innerHTML = layers
+    .filter(({id}) => app.layers.has(id))
+    .map(layer => `<span>${legend_mark(layer)}${symbol_html(layer.label)}</span>`)
+    .join('');
 }
 
 function legend_mark({mark, color}) {
@@ -128,7 +102,7 @@ function legend_mark({mark, color}) {
     line: `<path d="M1 6H18" stroke="var(--${color})" stroke-width="2.4" fill="none"/><path d="M25 6 16 1.5 18 6 16 10.5Z" fill="var(--${color})"/>`,
     curve: `<path d="M1 10C8 2 16 2 25 5" stroke="var(--${color})" stroke-width="3" fill="none"/>`,
   }[mark];
-  return shape ? `<svg aria-hidden="true" viewBox="0 0 26 12">${shape}</svg>` : '';
+  return `<svg aria-hidden="true" viewBox="0 0 26 12">${shape}</svg>`;
 }
 
 export function change_setting(name, text) {

@@ -1,6 +1,6 @@
 // The depth of the last seconds as a cut through the wall, one colour for each law.
 
-import {line_path} from './pen.js';
+import {circle_path, line_path, points_path} from './pen.js';
 import {law_name} from './story.js';
 import {each_point} from './tracks.js';
 import {short_number} from './format.js';
@@ -43,16 +43,11 @@ export function draw_curves(pen, tracks, theme, colors) {
     tracks.histories.forEach((history, law) => {
       const points = [];
       each_point(history, shown, k => {
-        if (!Number.isNaN(history.depth[k])) points.push(x_of(history.time[k]), y_of(1e3 * history.depth[k]));
+        if (!Number.isNaN(history.depth[k])) points.push([x_of(history.time[k]), y_of(1e3 * history.depth[k])]);
       });
       if (!points.length) return;
-      const [x, y] = points.slice(-2);
-      pen.curve([points], {stroke: colors[law], width: 1.8});
-      pen.path(`M${x - 3.5} ${y}a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0Z`, {
-        fill: colors[law],
-        stroke: theme.paper,
-        width: 1.2,
-      });
+      pen.path(points_path(points), {stroke: colors[law], width: 1.8});
+      pen.path(circle_path(points.at(-1), 3.5), {fill: colors[law], stroke: theme.paper, width: 1.2});
     }),
   );
   // The names next to each other, on a phone below each other

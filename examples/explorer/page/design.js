@@ -23,10 +23,10 @@ export function make_design_map(changed) {
     rows = 0,
     done = 0;
   const design = {
-    // Begins anew for a device inside a box [m].
+    // Begins again for a device inside a box [m].
     begin(device, bounds) {
       design.end();
-      box = {low: [bounds[0], bounds[1]], high: [bounds[3], bounds[4]]};
+      box = {low: bounds.slice(0, 3), high: bounds.slice(3)};
       rows = Math.max(8, Math.round((columns * (box.high[1] - box.low[1])) / (box.high[0] - box.low[0])));
       map = device.new_map(columns, rows, box.low, box.high);
       done = 0;
@@ -35,13 +35,13 @@ export function make_design_map(changed) {
     },
     end() {
       clearTimeout(timer);
-      map?.end();
+      map?.delete();
       map = null;
     },
     // {image, low, high, ramp, none: colours, classes, done: share of the map}.
     picture() {
       if (!map) return null;
-      const [cosines, classes] = [0, 1].map(map.figure),
+      const [cosines, classes] = [0, 1].map(figure => map.figure(figure)),
         image = document.createElement('canvas'),
         context = image.getContext('2d');
       Object.assign(image, {width: columns, height: rows});

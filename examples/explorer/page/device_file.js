@@ -82,7 +82,7 @@ export function device_file_of(mechanism, law, form) {
     keys = group =>
       form
         .filter(entry => entry.name.startsWith(group + '.') && entry.name !== 'brakes.present')
-        .map(entry => entry.name.split('.')[1] + ' = ' + (entry.kind === 'choice' ? `"${entry.value}"` : list(entry.value)))
+        .map(entry => entry.name.split('.')[1] + ' = ' + (entry.choices.length ? `"${entry.value}"` : list(entry.value)))
         .join('\n'),
     present = value('brakes.present').split(','),
     bound = size => `[${present.map(flag => (Number(flag) ? size : 0))}]`,

@@ -2,6 +2,7 @@
 
 import {draw_arrow, draw_cone, draw_solid_cone} from './arrows.js';
 import {points_path} from './pen.js';
+import {length_of, minus, plus, times, unit} from './vectors.js';
 
 export const min_length = 24; // of an arrow that is taken by its head; shorter ones wait aside [pixels]
 export const max_arrow = 0.36; // of the smaller side of the picture; longer ones are cut [1]
@@ -12,9 +13,9 @@ export function draw_forces(pen, picture, labels, at, theme) {
     most = max_arrow * Math.min(pen.width, pen.height),
     names = [];
   const draw = (vector, scale, style) => {
-    const d = camera.vector(vector).map(c => c * scale),
+    const d = times(scale, camera.vector(vector)),
       head = draw_arrow(pen, at, d, style, most);
-    return Math.hypot(...d) > 1 ? head : null;
+    return length_of(d) > 1 ? head : null;
   };
   if (shown.has('references'))
     for (const {vector, label} of picture.references) {
@@ -35,16 +36,9 @@ export function draw_forces(pen, picture, labels, at, theme) {
   }
   if (picture.gamma && shown.has('made') && shown.has('Fd')) draw_angle(pen, picture, labels, at, theme);
   for (const [head, text, style, distance = 5] of names) {
-    const d = [head[0] - at[0], head[1] - at[1]],
-      length = Math.hypot(...d) || 1;
-    if (text && length > (/^(v|F_\{[dh]\})$/.test(text) ? min_length : 12))
-      labels.put(
-        text,
-        head,
-        d.map(c => c / length),
-        distance,
-        {math: true, halo: theme.paper, ...style},
-      );
+    const d = minus(head, at);
+    if (text && length_of(d) > (/^(v|F_\{[dh]\})$/.test(text) ? min_length : 12))
+      labels.put(text, head, unit(d), distance, {math: true, halo: theme.paper, ...style});
   }
 }
 
@@ -76,28 +70,20 @@ function draw_angle(pen, picture, labels, at, theme) {
   labels.put(picture.gamma.text, at, direction, r + 4, {size: 14.5, math: true, color: theme.ink, halo: theme.paper});
 }
 
-export function fill_cone(pen, picture, at, cone, theme) {
-  const {camera, force_scale} = picture;
-  if (camera.is_space)
-    return draw_solid_cone(pen, camera, at, cone.points, force_scale, {fill: theme.cone, alpha: 0.3});
-  draw_cone(pen, camera, at, cone.points, force_scale, {fill: theme.cone, alpha: 0.3});
-  draw_cone(pen, camera, at, cone.points, force_scale, {stroke: theme.cone_line, width: 1.8});
-}
-
-export function outline_cone(pen, picture, at, cone, theme) {
-  const {camera, force_scale} = picture;
-  if (camera.is_space)
-    return draw_solid_cone(pen, camera, at, cone.points, force_scale, {fill: theme.faint, alpha: 0.1});
-  draw_cone(pen, camera, at, cone.points, force_scale, {fill: theme.faint, alpha: cone.alpha});
-  draw_cone(pen, camera, at, cone.points, force_scale, {stroke: theme.faint, width: 1});
+// The area of the present motion, or one of others. In space only the first is shown.
+export function draw_area(pen, {camera, force_scale}, at, {points, is_present, alpha}, theme) {
+  const fill = {fill: is_present ? theme.cone : theme.faint, alpha},
+    edge = is_present ? {stroke: theme.cone_line, width: 1.8} : {stroke: theme.faint, width: 1};
+  if (camera.is_space) return draw_solid_cone(pen, camera, at, points, force_scale, fill);
+  for (const style of [fill, edge]) draw_cone(pen, camera, at, points, force_scale, style);
 }
 
 // The number of a passive FME, in its middle.
 export function name_cone(labels, picture, at, cone, theme) {
-  const sum = cone.points.reduce((s, f) => s.map((c, i) => c + f[i]), [0, 0, 0]),
-    d = picture.camera.vector(sum).map(c => (1.2 * c * picture.force_scale) / cone.points.length);
-  if (cone.name && Math.hypot(...d) > 16)
-    labels.put(cone.name, [at[0] + d[0], at[1] + d[1]], [0, 1], -9, {
+  const sum = cone.points.reduce((s, f) => plus(s, f), [0, 0, 0]),
+    d = times((1.2 * picture.force_scale) / cone.points.length, picture.camera.vector(sum));
+  if (cone.name && length_of(d) > 16)
+    labels.put(cone.name, plus(at, d), [0, 1], -9, {
       size: cone.is_present ? 15 : 11.5,
       weight: cone.is_present ? 600 : 400,
       color: cone.is_present ? theme.cone_line : theme.muted,

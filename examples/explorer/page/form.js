@@ -1,7 +1,7 @@
 // The form of a device: a field for each setting that the engine names, with its unit and what the engine expects.
 
 const elsewhere = new Set(['q', 'qd', 'Fh', 'Fd', 'alpha', 'desired', 'hand', 'law']); // what the picture and the other controls set
-const is_flags = entry => /^1 or 0 for each/.test(entry.expected || '');
+const is_flags = entry => /^1 or 0 for each/.test(entry.expected);
 
 // changed(name, text): a field has a new value.
 export function make_form(form, changed) {
@@ -10,7 +10,7 @@ export function make_form(form, changed) {
 
   const words = text => text.replaceAll('_', ' ');
   function field_of(entry) {
-    const {name, label, expected, kind, size, unit, choices} = entry;
+    const {name, label, expected, size, unit, choices} = entry;
     if (is_flags(entry)) {
       const boxes = [...Array(size).keys()].map(
         k => `<label><input type="checkbox" name="${name}.${k}" data-entry="${name}">brake ${k + 1}</label>`,
@@ -18,9 +18,10 @@ export function make_form(form, changed) {
       return `<div class="flags">${boxes.join('')}</div>`;
     }
     const common = `name="${name}" data-entry="${name}" title="${expected ? 'expected: ' + expected.replace(/</g, '&lt;') : ''}" autocomplete="off"`;
-    const options = (choices || []).map(choice => `<option value="${choice}">${words(choice)}</option>`).join('');
-    const input =
-      kind === 'choice' ? `<select ${common}>${options}</select>` : `<input ${common} type="text" spellcheck="false">`;
+    const options = choices.map(choice => `<option value="${choice}">${words(choice)}</option>`).join('');
+    const input = choices.length
+      ? `<select ${common}>${options}</select>`
+      : `<input ${common} type="text" spellcheck="false">`;
     return `<label class="field"><span>${words(label)}</span>${input}<span class="unit">${(unit || '').replace('^2', '²')}</span></label>`;
   }
 
@@ -45,7 +46,7 @@ export function make_form(form, changed) {
     changed(name, target.type === 'checkbox' ? flags : target.value.trim());
   });
   return {
-    // all: the list of explorer_form(); groups: those to show, in this order.
+    // all: the form of a device; groups: those to show, in this order.
     show(all, groups) {
       entries = new Map(all.filter(entry => !elsewhere.has(entry.name)).map(entry => [entry.name, entry]));
       const key = [...entries.values()].map(entry => entry.name + entry.size).join();

@@ -9,6 +9,7 @@ import {begin_map} from './open.js';
 import {circle_path, line_path} from './pen.js';
 import {arrow_style, min_length} from './forces.js';
 import {set_paused} from './transport.js';
+import {dot, length_of, minus, plus, times, unit} from './vectors.js';
 
 const grips = make_grips(by_id('handles'));
 const arrows = ['v', 'Fh', 'Fd', 'normal'];
@@ -69,8 +70,8 @@ export function place_grips() {
       grips.place(id, null);
       continue;
     }
-    const is_long = arrow?.head && Math.hypot(arrow.head[0] - at[0], arrow.head[1] - at[1]) > min_length,
-      place = is_long ? arrow.head : at.map((c, i) => c + stub[id][i]);
+    const is_long = arrow?.head && length_of(minus(arrow.head, at)) > min_length,
+      place = is_long ? arrow.head : plus(at, stub[id]);
     if (!is_long) {
       const {color} = arrow_style(id, app.theme),
         style = {size: 15, math: true, weight: 600, color, halo: app.theme.paper};
@@ -86,13 +87,9 @@ export function place_grips() {
 }
 
 export function name_grips() {
-  const text = (vector, factor, unit) =>
-    ['x', 'y', 'z']
-      .slice(0, app.info.dimension)
-      .map((axis, i) => axis + ' ' + short_number(vector[i] * factor, 3))
-      .join(', ') +
-    ' ' +
-    unit;
+  const axes = ['x', 'y', 'z'].slice(0, app.info.dimension),
+    text = (vector, factor, unit) =>
+      axes.map((axis, i) => `${axis} ${short_number(vector[i] * factor)}`).join(', ') + ' ' + unit;
   grips.name(
     'scene',
     is_space() ? 'View in space, turned by the arrow keys' : 'Picture of the device. The arrow keys move the handle',
@@ -144,21 +141,15 @@ function nudge_handle(move) {
   const step = 0.008 * app.scales.reach;
   if (is_simulated() && !app.is_held) take_hand();
   const from = is_simulated() ? app.pointer : app.device.value('x');
-  move_handle(from.map((c, i) => c + step * move[i]));
+  move_handle(plus(from, move, step));
 }
 
 function turn_arrow(id, pixel) {
   const {camera, handle} = app.picture,
     at = camera.point(handle),
-    scale = scale_of(id);
-  const old = vector_of(id),
-    depth = old[0] * camera.towards[0] + old[1] * camera.towards[1] + old[2] * camera.towards[2];
-  let d = [pixel[0] - at[0], pixel[1] - at[1]];
-  if (Math.hypot(...d) < 14) d = [0, 0];
-  set_arrow(
-    id,
-    camera.back_vector(d.map(c => c / scale)).map((c, i) => c + depth * camera.towards[i]),
-  );
+    d = minus(pixel, at),
+    scale = length_of(d) < 14 ? 0 : 1 / scale_of(id);
+  set_arrow(id, plus(camera.back_vector(times(scale, d)), camera.towards, dot(vector_of(id), camera.towards)));
 }
 
 const scale_of = id => app.picture[{v: 'motion_scale', normal: 'normal_scale'}[id] || 'force_scale'];
@@ -166,12 +157,7 @@ const vector_of = id =>
   id === 'normal' ? [...form_value('map.normal').split(',').map(Number), 0] : app.device.value(id);
 
 function push_arrow(id, move) {
-  const step = 8 / scale_of(id),
-    old = vector_of(id);
-  set_arrow(
-    id,
-    old.map((c, i) => c + step * move[i]),
-  );
+  set_arrow(id, plus(vector_of(id), move, 8 / scale_of(id)));
 }
 
 function set_arrow(id, vector) {
@@ -179,25 +165,20 @@ function set_arrow(id, vector) {
   if (id === 'v') app.device.move(vector);
   else {
     if (id === 'Fd') app.device.set('desired=given');
-    app.device.state(app.info.joints)[id].set(vector);
+    app.device.state()[id].set(vector);
   }
   evaluate();
 }
 
 // Step 5: a wall through the handle, and the map of a hand that slides along it.
 let map_timer = 0;
-function turn_wall([x, y]) {
-  const size = Math.hypot(x, y);
-  if (!size) return;
-  const normal = [x / size, y / size].map(c => Number(c.toFixed(4))),
+function turn_wall(vector) {
+  if (!length_of(vector)) return;
+  const [x, y] = unit(vector).map(c => Number(c.toFixed(4))),
     place = value('x')
       .slice(0, 2)
       .map(c => Number(c.toPrecision(5)));
-  if (
-    !app.device.set(
-      `map.normal=${normal}\nmap.direction=${[-normal[1], normal[0]]}\nscene=plane:${[...place, ...normal]}`,
-    )
-  )
+  if (!app.device.set(`map.normal=${x},${y}\nmap.direction=${-y},${x}\nscene=plane:${place},${x},${y}`))
     return refuse(engine.error());
   clearTimeout(map_timer);
   map_timer = setTimeout(begin_map, 250);

@@ -11,7 +11,7 @@ export function keep_link() {
   link_timer = setTimeout(() => location.hash === hash && history.replaceState(null, '', own_link()), 300);
 }
 
-export function own_link() {
+function own_link() {
   if (app.preset) return page_link(app.preset.id);
   if (!app.is_own && !app.is_moved) return page_link(app.question.id);
   const settings = parse_settings(app.device.settings());

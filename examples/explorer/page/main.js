@@ -1,14 +1,14 @@
 // The page: its lists are filled, its controls are wired, and what the link names is opened.
 
-import {app, engine, is_moving, is_simulated, pen, runner} from './app.js';
+import {app, engine, is_moving, is_simulated, runner} from './app.js';
 import {change_setting, scene_text, show_controls} from './controls.js';
 import {add_grips, evaluate, let_go} from './hand.js';
 import {keep_link} from './link.js';
-import {by_id, refuse, say} from './messages.js';
+import {by_id, refuse} from './messages.js';
 import {alpha_of_law, begin_own, open_device_file, open_link, start_runner} from './open.js';
-import {save_png, save_text, watch_files} from './save.js';
+import {save_file, watch_files} from './save.js';
 import {page_address, page_link} from './settings.js';
-import {frame, picture_svg} from './show.js';
+import {frame, picture_canvas, picture_svg} from './show.js';
 import {law_name, parts, questions} from './story.js';
 import {read_theme, watch_theme} from './theme.js';
 import {open_log, restart, set_by_itself, set_paused, toggle_record} from './transport.js';
@@ -40,7 +40,7 @@ function fill_lists() {
     .map(link)
     .join('');
   by_id('mechanism').innerHTML = mechanisms.map(({id, label}) => option(id, label)).join('');
-  by_id('law').innerHTML = laws.map(({id}) => option(id, law_name(id), id)).join('');
+  by_id('law').innerHTML = laws.map(id => option(id, law_name(id), id)).join('');
 }
 
 function choose_mechanism({target}) {
@@ -82,17 +82,13 @@ function wire() {
     document.body.classList.toggle('with_more', by_id('more').open);
     redraw();
   });
-  on('flip', 'click', () => {
-    if (app.device.flip()) evaluate();
-    else say('This device has one pose for each place of its handle.');
-  });
   on('pause', 'click', () => set_paused(!app.is_paused));
   on('restart', 'click', restart);
   on('self', 'click', () => set_by_itself(!app.is_by_itself));
   on('record', 'click', event => toggle_record(event.target));
   on('download', 'click', () => runner.send({kind: 'log', law: app.focus}));
-  on('save_svg', 'click', () => save_text('explorer.svg', picture_svg(), 'image/svg+xml'));
-  on('save_png', 'click', () => save_png('explorer.png', picture_svg(), pen.width, pen.height, 2));
+  on('save_svg', 'click', () => save_file('explorer.svg', picture_svg(), 'image/svg+xml'));
+  on('save_png', 'click', () => picture_canvas().toBlob(image => save_file('explorer.png', image, 'image/png')));
   on('theme', 'click', () => set_theme(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'));
   on('form', 'submit', event => event.preventDefault());
   watch_theme(() => {

@@ -2,18 +2,10 @@
 
 export const by_id = id => document.getElementById(id);
 
-export function say(text) {
-  by_id('note').hidden = !text;
-  by_id('note').textContent = text;
-}
-
-export function refuse(reason) {
-  by_id('refused').hidden = !reason;
-  by_id('refused').textContent = reason;
-}
-
-// Why a link is not opened, or nothing moves.
-export function warn(reason) {
-  by_id('warning').hidden = !reason;
-  by_id('warning').textContent = reason;
-}
+const show_in =
+  id =>
+  (text = '') =>
+    Object.assign(by_id(id), {hidden: !text, textContent: text});
+export const say = show_in('note');
+export const refuse = show_in('refused');
+export const warn = show_in('warning'); // why a link is not opened, or nothing moves

@@ -7,8 +7,9 @@ import {keep_link} from './link.js';
 import {refuse, say, warn} from './messages.js';
 import {box_of, scales_of} from './picture.js';
 import {format_settings, parse_link, parse_settings, quoted} from './settings.js';
-import {law_name, question_of, questions} from './story.js';
+import {question_of, questions} from './story.js';
 import {set_paused, set_speed} from './transport.js';
+import {length_of, plus, times, unit} from './vectors.js';
 
 const design = make_design_map(() => {
   paint_map();
@@ -18,21 +19,13 @@ const preset_of = id => engine.catalogue.presets.find(preset => preset.id === id
 const preset_laws = law => (law === 'no_direct_control' ? [law] : ['no_direct_control', law]);
 
 // Opens what a link names; without one, step 1. A link that cannot be opened leaves what is
-// shown, and the page states the reason. A link with a law that was removed opens without it.
+// shown, and the page states the reason.
 export function open_link() {
   const is_place = location.hash === '#stage'; // of "Skip to the device"
   if (is_place && app.device) return;
-  const link = parse_link(is_place ? '' : location.hash),
-    law = link.settings?.get('law'),
-    is_removed = law === 'coercive_force_approximation';
-  if (is_removed) link.settings.delete('law');
-  const reason = open_page(link);
+  const reason = open_page(parse_link(is_place ? '' : location.hash));
   if (reason && !app.device) turn_to(questions[0]);
-  if (reason) warn('This link cannot be opened: ' + reason);
-  else if (is_removed) {
-    const shown = (app.laws.length ? app.laws : [app.law]).map(law_name).join(', ');
-    warn(`${quoted(law)} was removed, this page shows: ${shown}`);
-  } else warn('');
+  warn(reason && 'This link cannot be opened: ' + reason);
 }
 
 // Returns why it cannot be opened, or nothing.
@@ -90,8 +83,7 @@ export function begin(question, settings, preset, is_own) {
   refuse('');
   warn('');
   const is_new_question = question !== app.question || !app.device;
-  app.device?.end();
-  app.log?.end();
+  app.device?.delete();
   Object.assign(app, {
     device,
     question,
@@ -138,15 +130,15 @@ function way_of_hand() {
   if (!app.is_by_itself) return [0, 0, 0];
   const direction = form_value('hand.path.direction').split(',').map(Number),
     length = Number(form_value('hand.path.length'));
-  return [0, 1, 2].map(i => (length * (direction[i] || 0)) / Math.hypot(...direction));
+  return times(length, unit([...direction, 0].slice(0, 3)));
 }
 
 // A motion and forces to begin with where a still picture has none: the handle goes aside, the wanted force is that
 // of a wall in front, and the hand pushes against it.
 function start_still(question) {
   const {device, info} = app,
-    state = device.state(info.joints),
-    has = id => Math.hypot(...device.value(id)) > 0;
+    state = device.state(),
+    has = id => length_of(device.value(id)) > 0;
   if (!has('v')) device.move([0.1 * app.scales.reach, 0, 0]);
   device.evaluate();
   app.scales = scales_of(device, info); // the cone of a device with more joints than needed depends on its motion
@@ -155,12 +147,12 @@ function start_still(question) {
     size = 0.2 / app.scales.force;
   if (!has('Fd')) {
     if (question.id === 'wanted') device.set('law=' + (app.law = 'no_direct_control'));
-    state.Fd.set(out.map(c => size * c));
+    state.Fd.set(times(size, out));
     device.set('desired=given');
   }
   if (question.id === 'direct' && !has('Fh')) {
-    state.Fh.set(out.map((c, i) => size * ((i === 0 ? 0.3 : 0) - 0.5 * c)));
-    device.move(device.value('v').map((c, i) => c + 0.02 * app.scales.reach * out[i]));
+    state.Fh.set(plus([0.3 * size, 0, 0], out, -0.5 * size));
+    device.move(plus(device.value('v'), out, 0.02 * app.scales.reach));
   }
   device.evaluate();
 }

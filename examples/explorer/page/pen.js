@@ -43,23 +43,15 @@ function label_width(label, style) {
 
 export function canvas_pen(canvas) {
   const context = canvas.getContext('2d');
-  let ratio = 1;
   return {
     width: 0,
     height: 0,
-    // Clears the canvas, after its size has followed that of its box.
-    begin() {
-      ratio = Math.min(3, window.devicePixelRatio || 1);
-      const width = canvas.clientWidth,
-        height = canvas.clientHeight;
+    // Clears the canvas, with so many pixels for one, after its size has followed that of its box.
+    begin(width = canvas.clientWidth, height = canvas.clientHeight, ratio = Math.min(3, devicePixelRatio || 1)) {
       const columns = Math.round(width * ratio),
         rows = Math.round(height * ratio);
-      if (canvas.width !== columns || canvas.height !== rows) {
-        canvas.width = columns;
-        canvas.height = rows;
-      }
-      this.width = width;
-      this.height = height;
+      if (canvas.width !== columns || canvas.height !== rows) Object.assign(canvas, {width: columns, height: rows});
+      Object.assign(this, {width, height});
       context.setTransform(ratio, 0, 0, ratio, 0, 0);
       context.clearRect(0, 0, width, height);
     },
@@ -78,21 +70,6 @@ export function canvas_pen(canvas) {
         context.setLineDash(style.dash || []);
         context.stroke(path);
       }
-      context.globalAlpha = 1;
-    },
-    // A line through many points, pieces of it as flat lists [x, y, x, y, ...].
-    curve(pieces, style) {
-      context.beginPath();
-      for (const piece of pieces) {
-        context.moveTo(piece[0], piece[1]);
-        for (let k = 2; k < piece.length; k += 2) context.lineTo(piece[k], piece[k + 1]);
-      }
-      context.globalAlpha = style.alpha ?? 1;
-      context.strokeStyle = style.stroke;
-      context.lineWidth = style.width;
-      context.lineJoin = 'round';
-      context.setLineDash([]);
-      context.stroke();
       context.globalAlpha = 1;
     },
     clip(d, draw) {
@@ -140,7 +117,6 @@ export function svg_pen(width, height, background) {
   return {
     width,
     height,
-    begin() {},
     path(d, style) {
       body.push(
         `<path d="${d}" fill="${style.fill || 'none'}"` +
@@ -151,9 +127,6 @@ export function svg_pen(width, height, background) {
           (style.alpha !== undefined ? ` opacity="${style.alpha}"` : '') +
           '/>',
       );
-    },
-    curve(pieces, style) {
-      for (const piece of pieces) this.path('M' + piece.map(pixels).join(' '), style);
     },
     clip(d, draw) {
       const name = 'clip' + definitions.length;

@@ -6,6 +6,7 @@ import {max_arrow} from './forces.js';
 import {degrees, short_number} from './format.js';
 import {each_point} from './tracks.js';
 import {drawing_rows, handle_of, is_line_row} from './sketch.js';
+import {dot, length_of, minus, plus, times} from './vectors.js';
 
 const cone_share = 0.34; // of the smaller side of the picture: the strongest force that the brakes make [1]
 const view_share = {still: 0.07, moving: 0.075, space: 0.06}; // of the reach, around the device at its first place [1]
@@ -24,14 +25,14 @@ export function scales_of(device, info) {
   let strongest = 0;
   for (let region = 0; region < 1 << info.brakes; ++region)
     for (const force of device.outline(region))
-      if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
+      if (force.every(Number.isFinite)) strongest = Math.max(strongest, length_of(force));
   const bounds = device.bounds(),
     reach = Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
-  const speed = Math.hypot(...device.value('v'));
+  const speed = length_of(device.value('v'));
   // Where a brake alone makes no force (n > d): what all make together, or would at half of the reach.
   if (!strongest)
     for (const force of device.outline(-1))
-      if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
+      if (force.every(Number.isFinite)) strongest = Math.max(strongest, length_of(force));
   if (!strongest) strongest = (2 * device.value('torque_limit').reduce((sum, limit) => sum + limit, 0)) / reach;
   return {
     force: ((info.dimension === 3 ? 0.7 : 1) * cone_share) / (strongest || 1),
@@ -45,17 +46,15 @@ export function scales_of(device, info) {
 export function box_of(device, info, question, way) {
   const bounds = device.bounds();
   if (question.layers.includes('map')) return bounds;
-  const drawing = device.drawing(),
-    rows = drawing_rows(drawing.numbers, drawing.count),
+  const rows = drawing_rows(device.drawing()),
     points = rows.flatMap(row => (is_line_row(row) ? [row.point, row.other] : [row.point])),
     handle = handle_of(rows);
-  if (handle) points.push(way.map((w, i) => handle[i] + w));
+  if (handle) points.push(plus(handle, way));
   const room =
     view_share[info.dimension === 3 ? 'space' : question.is_moving ? 'moving' : 'still'] *
     Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]);
-  return [0, 1, 2]
-    .map(i => Math.min(...points.map(p => p[i])) - room)
-    .concat([0, 1, 2].map(i => Math.max(...points.map(p => p[i])) + room));
+  const edge = (find, way) => [0, 1, 2].map(i => find(...points.map(p => p[i])) + way * room);
+  return [...edge(Math.min, -1), ...edge(Math.max, 1)];
 }
 
 // Margins of the picture of a device that leave room for what the brakes can make at the present place, and
@@ -69,20 +68,19 @@ export function margins_of({device, info, scales, bounds, width, height, layers,
     forces = cones_of({device, info, layers}).flatMap(cone => cone.points);
   if (layers.has('Fd')) {
     const Fd = device.value('Fd');
-    forces.push(Fd.map(c => c * Math.min(1, max_arrow / (scales.force * length_of_vector(Fd) || 1))));
+    forces.push(times(Math.min(1, max_arrow / (scales.force * length_of(Fd) || 1)), Fd));
   }
   for (let turn = 0; turn < 3; ++turn) {
     const camera = fitting_camera(bounds, false, width, height, margins),
-      at = camera.point(x);
-    const heads = forces.map(f => {
-      const d = camera.vector(f);
-      return [at[0] + force_scale * d[0], at[1] + force_scale * d[1]];
-    });
-    const over = side => heads.reduce((largest, head) => Math.max(largest, side(head)), 0);
-    margins.left = Math.min(0.24 * width, margins.left + over(head => least - head[0]));
-    margins.right = Math.min(0.24 * width, margins.right + over(head => head[0] - width + least));
-    margins.top = Math.min(0.24 * height, margins.top + over(head => least - head[1]));
-    margins.bottom = Math.min(0.24 * height, margins.bottom + over(head => head[1] - height + least));
+      at = camera.point(x),
+      heads = forces.map(f => plus(at, camera.vector(f), force_scale));
+    const widen = (side, most, over) => {
+      margins[side] = Math.min(0.24 * most, margins[side] + Math.max(0, ...heads.map(head => over(head) + least)));
+    };
+    widen('left', width, head => -head[0]);
+    widen('right', width, head => head[0] - width);
+    widen('top', height, head => -head[1]);
+    widen('bottom', height, head => head[1] - height);
   }
   return margins;
 }
@@ -94,8 +92,7 @@ export function make_picture(view) {
     is_space = info.dimension === 3,
     size = Math.min(view.width, view.height);
   const camera = fitting_camera(view.bounds, is_space, view.width, view.height, view.margins, view.yaw, view.pitch);
-  const drawing = device.drawing(),
-    rows = drawing_rows(drawing.numbers, drawing.count),
+  const rows = drawing_rows(device.drawing()),
     made = made_force(view);
   const picture = {
     camera,
@@ -144,16 +141,14 @@ export function brakes_of(device, value, word) {
 // the simulated brakes, at rest that of the predicted torques, or of the commanded ones if no hand is there. It
 // ends at the edge of the drawn area, which a simulated brake leaves for one cycle when its rotation reverses.
 function made_force({device, info, value, is_moving}) {
-  const [simulated, predicted, commanded] = [
-      value('brake_force'),
-      device.value('brake_force'),
-      device.value('displayed'),
-    ],
-    has_hand = length_of_vector(device.value('Fh')) > 0 && info.joints === info.dimension,
+  const simulated = value('brake_force'),
+    predicted = device.value('brake_force'),
+    commanded = device.value('displayed'),
+    has_hand = length_of(device.value('Fh')) > 0 && info.joints === info.dimension,
     force = is_moving && simulated.every(Number.isFinite) ? simulated : is_moving || has_hand ? predicted : commanded;
   if (info.dimension === 3) return force;
   const share = share_inside(force, area_of(device, info));
-  return share > 1 - 1e-6 ? force : force.map(c => c * share);
+  return share > 1 - 1e-6 ? force : times(share, force);
 }
 
 // The area of the present forces. That of a device with self-motion is sampled by direction: the force that its law
@@ -162,7 +157,7 @@ function area_of(device, info) {
   const points = device.outline(-1),
     angle = f => Math.atan2(f[1], f[0]);
   if (info.joints === info.dimension || info.dimension === 3) return points;
-  const corners = [...points, device.value('displayed')].filter(f => length_of_vector(f) > 0);
+  const corners = [...points, device.value('displayed')].filter(f => length_of(f) > 0);
   return corners
     .sort((a, b) => angle(a) - angle(b))
     .flatMap((f, k) => {
@@ -173,28 +168,28 @@ function area_of(device, info) {
 
 // The share of a force that a polygon about 0 contains, at most 1.
 function share_inside(force, polygon) {
-  const cross = (a, b) => a[0] * b[1] - a[1] * b[0],
-    size = Math.hypot(...force);
+  const turn = (a, b) => a[0] * b[1] - a[1] * b[0],
+    size = length_of(force);
   let share = 0;
   polygon.forEach((a, k) => {
     const b = polygon[(k + 1) % polygon.length],
-      edge = [b[0] - a[0], b[1] - a[1]],
-      across = cross(force, edge),
-      along = cross(a, force) / across; // of the edge
-    if (Math.abs(cross(force, a)) <= 1e-9 * size * Math.hypot(...a))
+      edge = minus(b, a),
+      across = turn(force, edge),
+      along = turn(a, force) / across; // of the edge
+    if (Math.abs(turn(force, a)) <= 1e-9 * size * length_of(a))
       // a corner in the direction of the force
-      share = Math.max(share, (force[0] * a[0] + force[1] * a[1]) / size ** 2);
-    else if (along > -1e-6 && along < 1 + 1e-6) share = Math.max(share, cross(a, edge) / across);
+      share = Math.max(share, dot(force, a) / size ** 2);
+    else if (along > -1e-6 && along < 1 + 1e-6) share = Math.max(share, turn(a, edge) / across);
   });
   return Math.min(1, share || 0);
 }
 
 // The walls; behind a force that is given, the wall that would want it.
 function walls_in({device, info, width, height, bounds, question, scales, value}, {camera, handle}) {
-  if (info.dimension === 3) return device.walls(bounds.slice(0, 2), bounds.slice(3, 5));
+  if (info.dimension === 3) return device.walls(bounds.slice(0, 3), bounds.slice(3));
   const walls = device.walls(camera.back([0, height]), camera.back([width, 0])),
     Fd = value('Fd'),
-    far = (10 * scales.reach) / length_of_vector(Fd);
+    far = (10 * scales.reach) / length_of(Fd);
   if (walls.length || question.id !== 'wanted' || !handle || !Number.isFinite(far)) return walls;
   return [1, -1].map(side => [handle[0] + side * far * Fd[1], handle[1] - side * far * Fd[0], 0]);
 }
@@ -214,25 +209,21 @@ function cones_of({device, info, layers}) {
   if (layers.has('others'))
     for (let region = 0; region < 1 << info.brakes; ++region)
       if (region !== present)
-        cones.push({
-          points: device.outline(region),
-          is_present: false,
-          alpha: 0.9 / (1 << info.brakes),
-          name: name(region),
-        });
-  if (layers.has('cone')) cones.push({points: area_of(device, info), is_present: true, name: name(present)});
+        cones.push({points: device.outline(region), alpha: 0.9 / (1 << info.brakes), name: name(region)});
+  if (layers.has('cone'))
+    cones.push({points: area_of(device, info), is_present: true, alpha: 0.3, name: name(present)});
   return cones.filter(cone => cone.points.length > 1 && cone.points.every(f => f.every(Number.isFinite)));
 }
 
 // R_i+ and R_i-; those of the present area with their size.
 function references_of({device, info, layers}) {
   if (!layers.has('references')) return [];
-  const [R, limits, signs] = ['R', 'torque_limit', 'signs'].map(device.value),
+  const [R, limits, signs] = ['R', 'torque_limit', 'signs'].map(id => device.value(id)),
     references = [];
   for (let k = 0; k < info.brakes; ++k)
     for (const sign of [1, -1]) {
-      const vector = [0, 1, 2].map(i => sign * limits[k] * R[3 * k + i]),
-        size = sign * signs[k] <= 0 ? ' ' + short_number(length_of_vector(vector), 2) + ' N' : '';
+      const vector = times(sign * limits[k], R.slice(3 * k, 3 * k + 3)),
+        size = sign * signs[k] <= 0 ? ' ' + short_number(length_of(vector), 2) + ' N' : '';
       if (vector.every(Number.isFinite))
         references.push({vector, label: 'R_{' + (k + 1) + (sign > 0 ? '+' : '−') + '}' + size});
     }
@@ -241,12 +232,10 @@ function references_of({device, info, layers}) {
 
 function arrows_of({value, is_moving, normal}, made) {
   const [Fc, scaled] = [value('Fc'), value('Fc_scaled')],
-    is_same = (a, b) => length_of_vector(a.map((c, i) => c - b[i])) <= 1e-9 * length_of_vector(b);
+    is_same = (a, b) => length_of(minus(a, b)) <= 1e-9 * length_of(b);
   const arrows = [
     {id: 'Fd', layer: 'Fd', label: 'F_{d}', vector: value('Fd')},
-    ...(length_of_vector(Fc) > 1.001 * length_of_vector(made)
-      ? [{id: 'Fc', layer: 'made', label: 'F_{c}', vector: Fc}]
-      : []),
+    ...(length_of(Fc) > 1.001 * length_of(made) ? [{id: 'Fc', layer: 'made', label: 'F_{c}', vector: Fc}] : []),
     {
       id: 'made',
       layer: 'made',
@@ -261,15 +250,13 @@ function arrows_of({value, is_moving, normal}, made) {
   return arrows.filter(arrow => arrow.vector.length === 3 && arrow.vector.every(Number.isFinite));
 }
 
-const length_of_vector = f => Math.hypot(...f);
-
 // The angle between F_d and the force of the brakes.
 function gamma_of({value, is_moving}, made) {
   const Fd = value('Fd'),
-    sizes = length_of_vector(Fd) * length_of_vector(made),
+    sizes = length_of(Fd) * length_of(made),
     [gamma] = value('gamma');
   if (is_moving || !(sizes > 0)) return null;
-  const angle = Math.acos(Math.min(1, made.reduce((sum, c, i) => sum + c * Fd[i], 0) / sizes)),
+  const angle = Math.acos(Math.min(1, dot(made, Fd) / sizes)),
     is_gamma = Math.abs(angle - gamma) < 1e-4;
   return {
     vectors: [Fd, made],
@@ -281,9 +268,7 @@ function add_paths(picture, view) {
   const {tracks, layers} = view;
   tracks.histories.forEach((history, law) => {
     const points = [];
-    each_point(history, trail_seconds, k =>
-      points.push([history.x[3 * k], history.x[3 * k + 1], history.x[3 * k + 2]]),
-    );
+    each_point(history, trail_seconds, k => points.push([...history.x.subarray(3 * k, 3 * k + 3)]));
     if (layers.has('paths') && points.length > 1) picture.paths.push({points, color: view.colors[law]});
     const x = tracks.value(law, 'x');
     if (!x) return;
@@ -297,28 +282,24 @@ function lens_of(picture, view, camera) {
     memory = view.lens_memory,
     at = picture.handle,
     normal = view.device.value('normal');
-  if (Math.hypot(...normal) > 0.5) memory.normal = normal;
-  if (!memory.centre || Math.hypot(memory.centre[0] - at[0], memory.centre[1] - at[1]) * camera.scale > 60)
-    memory.centre = at.slice(0, 2);
+  if (length_of(normal) > 0.5) memory.normal = normal;
+  if (!memory.centre || length_of(minus(memory.centre, at)) * camera.scale > 60) memory.centre = at;
   // The lens follows at once along the wall, and slowly across it, so that the hand is what moves.
-  const away = [at[0] - memory.centre[0], at[1] - memory.centre[1]],
-    n = memory.normal || [0, 0],
-    across = away[0] * n[0] + away[1] * n[1];
-  for (let i = 0; i < 2; ++i) memory.centre[i] += away[i] - (1 - lens_rise) * across * n[i];
+  const n = memory.normal || [0, 0, 0];
+  memory.centre = plus(at, n, -(1 - lens_rise) * dot(minus(at, memory.centre), n));
   const radius = small ? 46 : Math.min(96, 0.19 * view.height),
     where = [view.width - radius - (small ? 12 : 22), view.height - radius - 44];
   const scale = camera.scale * lens_times,
     [depth] = view.value('depth');
   if (!(depth * scale > -2 * radius)) return null; // far from any wall there is nothing to see
-  const lens_camera = plane_camera(scale, [where[0] - scale * memory.centre[0], where[1] + scale * memory.centre[1]]);
-  const low = memory.centre.map(c => c - radius / scale),
-    high = memory.centre.map(c => c + radius / scale);
+  const {centre} = memory,
+    half = [radius / scale, radius / scale, 0];
   return {
     at: where,
     radius,
     times: lens_times,
-    centre: [...memory.centre, 0],
-    camera: lens_camera,
-    walls: view.device.walls(low, high),
+    centre,
+    camera: plane_camera(scale, [where[0] - scale * centre[0], where[1] + scale * centre[1]]),
+    walls: view.device.walls(minus(centre, half), plus(centre, half)),
   };
 }

@@ -3,19 +3,14 @@
 
 import {make_tracks} from './tracks.js';
 
-const late_shown = 1500; // [ms]
-
 // code, bytes: the engine; worker_code: the text of the worker. events: {started(), came() with new rows, refused(reason),
 // log(text)}.
 export function make_runner(code, bytes, worker_code, events) {
   const worker = new Worker(URL.createObjectURL(new Blob([worker_code], {type: 'text/javascript'})));
-  let run = 0,
-    late_at = -Infinity;
+  let run = 0;
   const runner = {
     tracks: null,
     last: null,
-    // Whether the simulation fell behind real time a moment ago.
-    is_late: () => performance.now() - late_at < late_shown,
     // Simulates devices of these settings, one for each law, from a place of the pointer [m] on; so many cycles at once.
     start(settings, laws, point, ahead) {
       runner.tracks = runner.last = null;
@@ -44,7 +39,6 @@ export function make_runner(code, bytes, worker_code, events) {
         runner.tracks.add(law, chunk.rows);
         runner.tracks.figures[law] = chunk.figures;
       });
-      if (data.is_late) late_at = performance.now();
       events.came();
     } else events[data.kind]?.(data);
   };

@@ -1,35 +1,14 @@
 // Files that the visitor takes along: the picture as SVG or PNG, the record as a log.
 
-export function save_text(name, text, type) {
-  save_blob(name, new Blob([text], {type}));
-}
-
-function save_blob(name, blob) {
+// content: a text or a Blob.
+export function save_file(name, content, type) {
   const link = document.createElement('a'),
-    address = URL.createObjectURL(blob);
-  link.href = address;
-  link.download = name;
+    address = URL.createObjectURL(new Blob([content], {type}));
+  Object.assign(link, {href: address, download: name});
   document.body.append(link);
   link.click();
   link.remove();
   setTimeout(() => URL.revokeObjectURL(address), 10000);
-}
-
-// The picture of an SVG text as PNG, with so many pixels for one.
-export async function save_png(name, svg, width, height, ratio) {
-  const address = URL.createObjectURL(new Blob([svg], {type: 'image/svg+xml'}));
-  try {
-    const image = new Image();
-    image.src = address;
-    await image.decode();
-    const canvas = document.createElement('canvas');
-    canvas.width = width * ratio;
-    canvas.height = height * ratio;
-    canvas.getContext('2d').drawImage(image, 0, 0, canvas.width, canvas.height);
-    save_blob(name, await new Promise(done => canvas.toBlob(done, 'image/png')));
-  } finally {
-    URL.revokeObjectURL(address);
-  }
 }
 
 // Calls take(text, name) with each file that is dropped on the page or chosen in an input.

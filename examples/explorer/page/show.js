@@ -88,34 +88,22 @@ export function frame(now) {
 
 // Sentences and numbers, a few times a second.
 function show_texts() {
-  const brakes = brake_states();
-  if (tracks()) {
-    set_sentence(
-      by_id('answer'),
-      tracks().laws.length < 2
-        ? moment_sentence(tracks(), app.focus, brakes, is_pushing())
-        : laws_sentence(tracks(), runner.last),
-    );
-    show_numbers(tracks().layout.values, entry => tracks().value(app.focus, entry.id) || Array(entry.size).fill(NaN));
-  } else {
-    set_sentence(
-      by_id('answer'),
-      app.question.id === 'mine'
-        ? map_sentence()
-        : still_sentence(app.question.id, {
-            value,
-            word,
-            brakes,
-            made: app.picture?.made || [0, 0, 0],
-            max_angle: Number(form_value('options.max_approximation_angle')),
-          }),
-    );
-    show_numbers(app.device.layout, entry => app.device.value(entry.id));
-  }
+  set_sentence(by_id('answer'), sentence());
+  if (tracks())
+    show_numbers(tracks().layout, entry => tracks().value(app.focus, entry.id) || Array(entry.size).fill(NaN));
+  else show_numbers(app.device.layout, entry => app.device.value(entry.id));
   show_alpha();
-  by_id('late').hidden = !(is_simulated() && runner.is_late() && !app.is_paused);
-  by_id('late').textContent = 'This machine is slower than real time: the simulation lags.';
   name_grips();
+}
+
+function sentence() {
+  const brakes = brake_states();
+  if (tracks()?.laws.length > 1) return laws_sentence(tracks(), runner.last);
+  if (tracks()) return moment_sentence(tracks(), app.focus, brakes, is_pushing());
+  if (app.question.id === 'mine') return map_sentence();
+  const made = app.picture?.made || [0, 0, 0],
+    max_angle = Number(form_value('options.max_approximation_angle'));
+  return still_sentence(app.question.id, {value, word, brakes, made, max_angle});
 }
 
 // The slider of step 4 stands at the present alpha.
@@ -138,8 +126,20 @@ function map_sentence() {
   return app.map ? design_sentence(app.map, words) : '';
 }
 
+// The picture for slides, as an SVG document, or on a canvas with four pixels for one.
 export function picture_svg() {
-  const drawing = svg_pen(pen.width, pen.height, app.theme.paper);
-  draw_stage(drawing, make_picture(view_of(pen.width, pen.height)), app.theme);
-  return drawing.text();
+  return draw_on(svg_pen(pen.width, pen.height, app.theme.paper)).text();
+}
+export function picture_canvas() {
+  const canvas = document.createElement('canvas'),
+    drawing = canvas_pen(canvas);
+  drawing.begin(pen.width, pen.height, 2);
+  drawing.path(`M0 0H${pen.width}V${pen.height}H0Z`, {fill: app.theme.paper});
+  draw_on(drawing);
+  return canvas;
+}
+
+function draw_on(other_pen) {
+  draw_stage(other_pen, make_picture(view_of(pen.width, pen.height)), app.theme);
+  return other_pen;
 }

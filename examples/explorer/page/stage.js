@@ -1,8 +1,8 @@
 // The picture: walls, device, forces, hand and paths, in the order in which they lie over each other.
 
 import {draw_spring} from './arrows.js';
-import {draw_forces, fill_cone, name_cone, outline_cone} from './forces.js';
-import {draw_lens} from './lens.js';
+import {draw_area, draw_forces, name_cone} from './forces.js';
+import {draw_lens, draw_motion} from './lens.js';
 import {circle_path, make_labels} from './pen.js';
 import {draw_device, label_brakes} from './sketch.js';
 import {draw_floor, draw_map, draw_scale} from './surroundings.js';
@@ -14,8 +14,9 @@ export function draw_stage(pen, picture, theme) {
     small = pen.width < 520,
     labels = make_labels(pen);
   const at = handle && camera.point(handle);
-  const draw_cones = (is_present, draw) => {
-    for (const cone of picture.cones) if (cone.is_present === is_present) draw(pen, picture, at, cone, theme);
+  const draw_areas = is_present => {
+    for (const cone of picture.cones)
+      if (at && !!cone.is_present === is_present) draw_area(pen, picture, at, cone, theme);
   };
   if (picture.map && !camera.is_space) draw_map(pen, picture, theme);
   draw_walls(pen, camera, picture.walls, theme, picture.is_hollow, 18);
@@ -23,24 +24,11 @@ export function draw_stage(pen, picture, theme) {
   if (picture.map) labels.take(pen.width - 110, pen.height - 30, 110, 28);
   if (camera.is_space) draw_floor(pen, picture, theme);
   labels.take(0.13 * pen.width, pen.height - 16, 0.13 * pen.width, 16);
-  if (at) draw_cones(false, outline_cone);
-  if (at && !camera.is_space) draw_cones(true, fill_cone);
+  draw_areas(false);
+  if (!camera.is_space) draw_areas(true);
   draw_device(pen, camera, picture.rows, picture.brakes, theme, {width: small ? 11 : 15});
-  if (at && camera.is_space) draw_cones(true, fill_cone);
-  if (picture.locus)
-    pen.curve([picture.locus.points.flatMap(camera.point)], {
-      stroke: theme.holds,
-      width: 3.4,
-      alpha: picture.locus.is_held ? 1 : 0.3,
-    });
-  for (const path of picture.paths)
-    pen.curve([path.points.flatMap(camera.point)], {stroke: path.color, width: 2, alpha: 0.8});
-  for (const other of picture.others)
-    pen.path(circle_path(camera.point(other.point), small ? 4.5 : 6), {
-      fill: other.color,
-      stroke: theme.paper,
-      width: 1.5,
-    });
+  if (camera.is_space) draw_areas(true);
+  draw_motion(pen, camera, picture, theme, picture.others, small ? 4.5 : 6);
   if (picture.lens) labels.take(...picture.lens.at, picture.lens.radius, picture.lens.radius + 20);
   if (at) {
     labels.take(...at, 9, 9);

@@ -1,6 +1,7 @@
 // The five steps of the page, the views that follow step 4, and the sentences that say what the picture means.
 
 import {degrees, short_number} from './format.js';
+import {dot, length_of, minus, unit} from './vectors.js';
 
 // The paper's device at its wall, the brakes just strong enough for a hand.
 const arm = 'mechanism=tendon_two_link\nbrakes.torque_limit=0.129,0.129\nq=1.6352759066114992,-1.108504851001068\n';
@@ -131,6 +132,7 @@ export function question_of(settings, id = '') {
   return named(has('qd') || settings.get('scene') === 'none' ? 'forces' : 'laws');
 }
 
+// The layers with a line in the legend.
 export const layers = [
   {id: 'cone', label: 'forces the brakes can produce', mark: 'area', color: 'cone'},
   {id: 'others', label: 'for other motions', mark: 'area', color: 'faint'},
@@ -142,12 +144,8 @@ export const layers = [
   {id: 'Fr', label: 'resultant of hand and brakes, F_{r}', mark: 'line', color: 'result'},
   {id: 'locus', label: 'curve of the handle while a brake holds', mark: 'curve', color: 'holds'},
   {id: 'normal', label: 'out of the wall, n', mark: 'line', color: 'wanted'},
-  {id: 'brakes', label: 'brakes in words'},
-  {id: 'paths', label: 'paths of the hands'},
-  {id: 'map', label: 'design map'},
 ];
 
-const size_of = vector => Math.hypot(...vector);
 export const newton = value => `*${value >= 1e4 ? short_number(value / 1e3) + ' kN' : short_number(value) + ' N'}*`;
 
 // What a pose means. state: {value(id), word(id, k), brakes, made: the force that is drawn [N], max_angle [rad]}.
@@ -161,7 +159,7 @@ function area_sentence({value, brakes}) {
   const region = value('region')[0],
     name = region >= 0 && value('R_defined')[0] ? `, *passive FME ${region + 1}*,` : '';
   if (has_no_brake(value, brakes)) return no_brake_text;
-  return size_of(value('v'))
+  return length_of(value('v'))
     ? `The brakes can produce every force in the green area${name} and none outside it, because each torque must oppose the rotation of its brake.`
     : 'Nothing moves. A brake at rest holds against a push from either side, so the area extends to both sides of the handle.';
 }
@@ -169,12 +167,12 @@ function area_sentence({value, brakes}) {
 // What the brakes make of F_d within the torque limits.
 function made_sentence({value, word, brakes, made, max_angle}) {
   const Fd = value('Fd'),
-    [wanted, size] = [Fd, made].map(size_of);
+    [wanted, size] = [Fd, made].map(length_of);
   if (word('status') !== 'ok') return `The brakes are released: ${word('status')}.`;
   if (has_no_brake(value, brakes)) return no_brake_text;
   if (wanted === 0) return 'The handle is free: no force is required here. Drag the arrowhead of F_d.';
-  if (size === 0 && size_of(value('displayed')) > 0) return 'The brakes hold, and nobody pushes: *no force* is felt.';
-  if (size === 0 && size_of(value('displayed_without_law')) > 0)
+  if (size === 0 && length_of(value('displayed')) > 0) return 'The brakes hold, and nobody pushes: *no force* is felt.';
+  if (size === 0 && length_of(value('displayed_without_law')) > 0)
     return 'The law releases the brakes here: nothing is felt.';
   if (size === 0)
     return `*No force* in the green area is within ${short_number(degrees(max_angle))}° of F_d. The brakes are released: nothing is felt.`;
@@ -193,25 +191,18 @@ const same_direction = 1e-4, // [rad]
   same_size = 1e-6; // [1]
 
 // Stays accurate for small angles.
-function angle_between(a, b) {
-  const [u, v] = [a, b].map(f => f.map(c => c / size_of(f)));
-  return 2 * Math.asin(Math.min(1, size_of(u.map((c, i) => c - v[i])) / 2));
-}
+const angle_between = (a, b) => 2 * Math.asin(Math.min(1, length_of(minus(unit(a), unit(b))) / 2));
 
 // The part of the resultant out of the wall, as the sentence of step 4 and its picture use it [N].
-export function normal_part(value) {
-  const Fd = value('Fd'),
-    size = size_of(Fd);
-  return size > 0 ? value('Fr').reduce((sum, c, i) => sum + (c * Fd[i]) / size, 0) : 0;
-}
+const normal_part = value => dot(value('Fr'), unit(value('Fd')));
 
 function scaled_sentence(state) {
   const {value, brakes} = state,
     part = normal_part(value),
     alpha = `α = *${short_number(value('alpha')[0])}*: `,
     holding = list(brakes.flatMap(({state, share}, k) => (state === 'holds' && share > 0 ? ['brake ' + (k + 1)] : [])));
-  if (!size_of(value('Fd'))) return made_sentence(state);
-  if (Math.abs(part) < 5e-3 * size_of(value('Fh')))
+  if (!length_of(value('Fd'))) return made_sentence(state);
+  if (Math.abs(part) < 5e-3 * length_of(value('Fh')))
     return alpha + '*nothing* of the resultant F_r is left across the wall. The hand *glides*.';
   if (part > 0)
     return `${alpha}${holding && holding + ' holds, and '}the resultant F_r pushes the handle *out* of the wall with ${newton(part)}: the hand *bounces*. Make α smaller.`;

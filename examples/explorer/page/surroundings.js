@@ -1,19 +1,15 @@
 // What lies around the device: the design map, a floor in space, a bar of a round length.
 
 import {line_path} from './pen.js';
+import {plus} from './vectors.js';
 
 // The design map, painted under the mechanism, and what its colours mean.
 export function draw_map(pen, picture, theme) {
   const {map, camera} = picture,
     z = picture.handle ? picture.handle[2] : 0,
     corner = (x, y) => camera.point([x, y, z]);
-  pen.image(
-    map.image,
-    corner(map.low[0], map.high[1]),
-    corner(map.high[0], map.high[1]),
-    corner(map.low[0], map.low[1]),
-    0.85,
-  );
+  const [[x0, y0], [x1, y1]] = [map.low, map.high];
+  pen.image(map.image, corner(x0, y1), corner(x1, y1), corner(x0, y0), 0.85);
   const width = 150,
     x = pen.width - width - 18,
     y = pen.height - 30;
@@ -33,44 +29,28 @@ export function draw_map(pen, picture, theme) {
 }
 
 // A grid on the floor of the space that the device reaches, so that turning it is seen.
-export function draw_floor(pen, picture, theme) {
-  const [x0, y0, z0, x1, y1] = picture.bounds,
+export function draw_floor(pen, {bounds, camera, handle}, theme) {
+  const [x0, y0, z, x1, y1] = bounds,
+    line = (a, b) => line_path(camera.point([...a, z]), camera.point([...b, z])),
     lines = [],
     count = 6;
   for (let k = 0; k <= count; ++k) {
     const x = x0 + ((x1 - x0) * k) / count,
       y = y0 + ((y1 - y0) * k) / count;
-    lines.push(
-      line_path(picture.camera.point([x, y0, z0]), picture.camera.point([x, y1, z0])),
-      line_path(picture.camera.point([x0, y, z0]), picture.camera.point([x1, y, z0])),
-    );
+    lines.push(line([x, y0], [x, y1]), line([x0, y], [x1, y]));
   }
   pen.path(lines.join(''), {stroke: theme.faint, width: 0.7, alpha: 0.7});
-  const axes = [
-      [[1, 0, 0], 'x'],
-      [[0, 1, 0], 'y'],
-      [[0, 0, 1], 'z'],
-    ],
-    from = [42, pen.height - 64];
-  for (const [axis, name] of axes) {
-    const d = picture.camera.vector(axis).map(c => 26 * c),
-      head = [from[0] + d[0], from[1] + d[1]];
-    pen.path(line_path(from, head), {stroke: theme.muted, width: 1.4});
-    pen.label(name, from[0] + 1.35 * d[0], from[1] + 1.35 * d[1] + 4, {
-      size: 13,
-      math: true,
-      align: 'middle',
-      color: theme.muted,
-    });
-  }
-  if (picture.handle) {
-    const foot = [picture.handle[0], picture.handle[1], z0];
-    pen.path(line_path(picture.camera.point(picture.handle), picture.camera.point(foot)), {
-      stroke: theme.muted,
-      width: 1,
-      dash: [2, 4],
-    });
-  }
+  const from = [42, pen.height - 64],
+    style = {size: 13, math: true, align: 'middle', color: theme.muted};
+  ['x', 'y', 'z'].forEach((name, i) => {
+    const d = camera.vector([0, 1, 2].map(k => (k === i ? 26 : 0))),
+      [x, y] = plus(from, d, 1.35);
+    pen.path(line_path(from, plus(from, d)), {stroke: theme.muted, width: 1.4});
+    pen.label(name, x, y + 4, style);
+  });
+  if (!handle) return;
+  const foot = camera.point([handle[0], handle[1], z]);
+  pen.path(line_path(camera.point(handle), foot), {stroke: theme.muted, width: 1, dash: [2, 4]});
 }
 
 // A bar of a round length.
@@ -82,9 +62,6 @@ export function draw_scale(pen, camera, theme) {
     y = pen.height - 18,
     end = x + length * camera.scale;
   pen.path(`M${x} ${y - 4}V${y}H${end}V${y - 4}`, {stroke: theme.muted, width: 1.4, cap: 'butt'});
-  pen.label(length < 1 ? 100 * length + ' cm' : length + ' m', (x + end) / 2, y - 5, {
-    size: 12,
-    align: 'middle',
-    color: theme.muted,
-  });
+  const style = {size: 12, align: 'middle', color: theme.muted};
+  pen.label(length < 1 ? 100 * length + ' cm' : length + ' m', (x + end) / 2, y - 5, style);
 }

@@ -4,9 +4,9 @@
 const track_length = 750; // points of a curve [1]
 const track_step = 8; // rows a point [1]
 
-// layout: {row, values} of the engine; laws: ids.
+// layout: of the engine; laws: ids.
 export function make_tracks(layout, laws) {
-  const columns = new Map(layout.values.map(entry => [entry.id, entry]));
+  const columns = new Map(layout.map(entry => [entry.id, entry]));
   const histories = laws.map(() => ({
     count: 0,
     time: new Float64Array(track_length),
@@ -34,7 +34,7 @@ export function make_tracks(layout, laws) {
     histories,
     // Rows of a law, one after the other.
     add(law, numbers) {
-      const length = layout.row,
+      const length = row_length(layout),
         count = numbers.length / length;
       for (let k = 0; k < count; ++k)
         if (counts[law]++ % track_step === 0) add_point(histories[law], numbers.subarray(k * length, (k + 1) * length));
@@ -47,12 +47,14 @@ export function make_tracks(layout, laws) {
       return entry && row ? [...row.subarray(entry.offset, entry.offset + entry.size)] : null;
     },
     word(law, id, k = 0) {
-      const entry = columns.get(id),
-        row = rows[law];
-      return entry?.words && row ? entry.words[row[entry.offset + k]] || '' : '';
+      const numbers = this.value(law, id);
+      return numbers && (columns.get(id).words[numbers[k]] || '');
     },
   };
 }
+
+// Numbers of a row.
+export const row_length = layout => layout.at(-1).offset + layout.at(-1).size;
 
 // Calls take(k) for the points of the last seconds of a history, oldest first; k is an index into its
 // arrays.

@@ -4,16 +4,16 @@ import {app, engine, runner, runner_events, tracks} from './app.js';
 import {device_file_of} from './device_file.js';
 import {by_id, say, warn} from './messages.js';
 import {make_player} from './player.js';
-import {save_text} from './save.js';
+import {save_file} from './save.js';
 
 runner_events.refused = ({reason}) => warn(reason);
 runner_events.log = ({text}) => {
   const law = app.laws[app.focus],
     simulated = engine.device(app.device.settings() + '\nlaw=' + law),
     device = device_file_of(app.info.id, law, simulated.form());
-  simulated.end();
-  if (device) save_text('explorer_log.device.toml', device, 'application/toml');
-  save_text('explorer_log.csv', text, 'text/csv');
+  simulated.delete();
+  if (device) save_file('explorer_log.device.toml', device, 'application/toml');
+  save_file('explorer_log.csv', text, 'text/csv');
   const command = './examples/run replay explorer_log.csv';
   say('explorer_log.csv is a log of the library. ' + (device ? 'It replays with: ' + command : ''));
 };
@@ -67,13 +67,13 @@ export function open_log(text, name) {
   if (!log) return say(name + ': ' + engine.error());
   const [equal, all] = log.agreement(),
     law = app.laws[app.focus] || app.law;
-  app.log?.end();
-  app.log = make_player(log, law);
+  app.log = make_player(log.layout, log.rows(), law);
+  log.delete();
   app.laws = [law];
   app.focus = 0;
   runner.send({kind: 'pause', is_on: true});
   const agreement = all ? `; ${equal} of ${all} capacities are those of ${law} to the last digit.` : '.';
-  say(`${name}: ${log.count()} lines${agreement}`);
+  say(`${name}: ${app.log.count} lines${agreement}`);
   set_paused(false);
   app.shown();
 }

@@ -9,7 +9,6 @@ const max_at_once = 60; // cycles computed before the page is served [1]
 
 let engine,
   simulations = [],
-  sent = [],
   speed = 1,
   is_paused = true,
   due = 0,
@@ -24,16 +23,16 @@ const handlers = {
     setInterval(turn, 10);
   },
   start({settings, run, point, ahead}) {
-    for (const simulation of simulations) simulation?.end();
+    for (const simulation of simulations) simulation?.delete();
     simulations = settings.map(text => engine.simulation(text));
     const failed = simulations.findIndex(simulation => !simulation);
     if (failed >= 0) {
       postMessage({kind: 'refused', run, reason: engine.error()});
-      simulations.forEach(simulation => simulation?.end());
+      simulations.forEach(simulation => simulation?.delete());
       simulations = [];
     }
     begin_again(run, point);
-    if (simulations.length && ahead) advance(ahead, false);
+    if (simulations.length && ahead) advance(ahead);
   },
   settings({text}) {
     for (const simulation of simulations)
@@ -70,7 +69,6 @@ let run_number = 0;
 
 function begin_again(run, point) {
   run_number = run;
-  sent = simulations.map(simulation => simulation.cycles());
   if (point) pointer = {point, is_held: false};
   due = 0;
   last = performance.now();
@@ -86,21 +84,17 @@ function turn() {
   const cycles = Math.min(Math.floor(due), max_at_once);
   if (cycles < 1) return;
   due -= cycles;
-  // What could not be made up for within a tenth of a second is given up, and the page says so.
-  const behind = due > 100 * speed;
-  if (behind) due = 0;
-  advance(cycles, behind);
+  if (due > 100 * speed) due = 0; // a slow machine gives up time that it cannot make up for within a tenth of a second
+  advance(cycles);
 }
 
-function advance(cycles, is_late) {
-  for (const simulation of simulations) simulation.step(cycles, pointer.point, pointer.is_held);
-  const chunks = simulations.map((simulation, k) => {
-    const chunk = simulation.rows_from(sent[k]);
-    sent[k] = simulation.cycles();
-    return {...chunk, figures: simulation.figures()};
+function advance(cycles) {
+  const chunks = simulations.map(simulation => {
+    simulation.step(cycles, pointer.point, pointer.is_held);
+    return {rows: simulation.rows(), figures: simulation.figures()};
   });
   postMessage(
-    {kind: 'rows', run: run_number, chunks, is_late},
+    {kind: 'rows', run: run_number, chunks},
     chunks.map(chunk => chunk.rows.buffer),
   );
 }
