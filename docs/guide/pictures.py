@@ -1,6 +1,7 @@
-"""The pieces of code of the page pictures.md: python pictures.py FOLDER."""
+"""Draws the pictures of the page pictures.md: devices, their forces, maps and runs."""
 
-import sys
+import argparse
+import os
 
 import matplotlib
 
@@ -11,6 +12,10 @@ import numpy as np
 import passive_haptics as ph
 from passive_haptics import plots
 
+parser = argparse.ArgumentParser(description=__doc__)
+parser.add_argument("--output", default=".", help="the folder of the pictures")
+folder = parser.parse_args().output
+os.makedirs(folder, exist_ok=True)
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.8), layout="constrained")
 
 # A device at a wall
@@ -21,7 +26,7 @@ plots.draw_wall(left, point=arm.position(q), normal=[0, -1])
 
 # What its brakes can make
 plots.draw_passive_fmes(arm, q, right, velocity=[0.05, 0.02], normal=[0, -1], desired_force=[0, -10])
-figure.savefig(sys.argv[1] + "/device.png", dpi=150)
+figure.savefig(f"{folder}/device.png", dpi=150)
 
 # A map
 table = ph.five_bar()
@@ -29,17 +34,21 @@ x, y = np.meshgrid(np.linspace(-0.08, 0.08, 81), np.linspace(0.04, 0.14, 51))
 q, outcomes = table.inverse(np.column_stack([x.flat, y.flat]))
 found = table.displayable(q, velocity=[1, 0], normal=[0, -1])
 angle = np.where(outcomes == ph.status.ok, np.degrees(found.angle), np.nan)
-axes = plots.draw_map(x, y, angle, label="approximation angle [deg]", limits=(0, 90))
+figure, axes = plt.subplots(layout="constrained")
+colours = axes.pcolormesh(x, y, angle.reshape(x.shape), cmap="cividis", vmin=0, vmax=90)
+figure.colorbar(colours, label="approximation angle [deg]", shrink=0.7)
 plots.draw_device(table, table.inverse([0.04, 0.1])[0], axes)
-axes.figure.savefig(sys.argv[1] + "/map.png", dpi=150)
+figure.savefig(f"{folder}/map.png", dpi=150)
 
 # A design map
 figures = table.design_map(q, direction=[1, 0], normal=[0, -1], brakes=table.brakes(), push=2)
 figure, panels = plt.subplots(2, 2, figsize=(10, 6.5), layout="constrained")
 for axes, (name, highest) in zip(panels.flat, {"drag": 3, "max_force": 40, "sink_slope": 1, "isotropy": 1}.items()):
     values = np.where(outcomes == ph.status.ok, figures[name], np.nan)
-    plots.draw_map(x, y, values, axes, label=name, limits=(0, highest))
-figure.savefig(sys.argv[1] + "/design_map.png", dpi=100)
+    colours = axes.pcolormesh(x, y, values.reshape(x.shape), cmap="cividis", vmin=0, vmax=highest)
+    figure.colorbar(colours, label=name, shrink=0.7)
+    axes.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
+figure.savefig(f"{folder}/design_map.png", dpi=100)
 
 # Runs along a wall
 device, wall = ph.tendon_two_link(), ph.half_space([0, 0.225], [0, -1])
@@ -56,4 +65,4 @@ for law, colour in ((ph.no_direct_control(), plots.VERMILION), (ph.saturated_dir
 depth.set(ylabel="depth [mm]")
 depth.legend()
 torque.set(xlabel="time [s]", ylabel="torques of the brakes [N m]")
-figure.savefig(sys.argv[1] + "/runs.png", dpi=100)
+figure.savefig(f"{folder}/runs.png", dpi=100)

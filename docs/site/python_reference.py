@@ -25,7 +25,6 @@ MODULES = {
     ),  # fmt: skip
     "passive_haptics.producible_forces": ("producible_forces.py",),
     "passive_haptics.plots": ("plots.py",),
-    "passive_haptics.planar_geometry": ("planar_geometry.py",),
     "passive_haptics.sweep": ("sweep.py",),
 }
 

@@ -33,7 +33,7 @@ PAPERS_K2 = 0.4
 
 
 class task(typing.NamedTuple):
-    """Places where a hand goes along a wall, a row of two numbers each."""
+    """Places where a hand goes along a wall and back, a row of two numbers each."""
 
     name: str
     x: Array  # [m]
@@ -41,44 +41,34 @@ class task(typing.NamedTuple):
     normal: Array  # of the wall, outward
 
 
-def both_ways(name: str, x: Array, along: Array, normal: Array) -> task:
-    """A task in which the hand goes along the wall and back."""
-    return task(name, np.vstack([x, x]), np.vstack([along, -along]), np.vstack([normal, normal]))
-
-
 def around_a_disc(count: int = 32) -> task:
     """Around a disc of 40 mm, 0.15 m before the base: walls in all directions."""
     angle = np.linspace(0, 2 * math.pi, count, endpoint=False)
-    normal = np.column_stack([np.cos(angle), np.sin(angle)])
-    along = np.column_stack([-np.sin(angle), np.cos(angle)])
-    return both_ways("around a disc", [0, 0.15] + 0.04 * normal, along, normal)
+    normal, along = (np.column_stack([np.cos(a), np.sin(a)]) for a in (angle, angle + math.pi / 2))
+    return task("around a disc", [0, 0.15] + 0.04 * normal, along, normal)
 
 
 def papers_wall(count: int = 32) -> task:
     """Along the wall of section 5.2 of the paper, y = 0.225 m, from which the hand comes below."""
     x = np.column_stack([np.linspace(0.06, 0.17, count), np.full(count, 0.225)])
-    return both_ways("the paper's wall", x, np.tile([1.0, 0.0], (count, 1)), np.tile([0.0, -1.0], (count, 1)))
+    return task("the paper's wall", x, np.tile([1.0, 0.0], (count, 1)), np.tile([0.0, -1.0], (count, 1)))
 
 
-class posed(typing.NamedTuple):
-    """A device, its joint positions at places, and whether it reaches them."""
-
-    device: typing.Any
-    q: Array
-    reached: Array
+Posed = tuple[typing.Any, Array, Array]
+"""A device, its joint positions at places, and true where it reaches them."""
 
 
-def by_inverse(device: typing.Any, x: Array) -> posed:
+def by_inverse(device: typing.Any, x: Array) -> Posed:
     """A device that has an inverse, at places [m] in its base frame."""
     q, outcomes = device.inverse(x)
-    return posed(device, q, outcomes == ph.status.ok)
+    return device, q, outcomes == ph.status.ok
 
 
-def arm_with_a_direction(v: Sequence[float], x: Array) -> posed:
+def arm_with_a_direction(v: Sequence[float], x: Array) -> Posed:
     """Three links, of which the last one keeps its direction."""
     wrist = x - v[2] * np.array([math.cos(v[3]), math.sin(v[3])])
     _, q, reached = by_inverse(ph.two_link(length_1=v[0], length_2=v[1]), wrist)
-    return posed(ph.planar_arm(v[:3]), np.column_stack([q, v[3] - q.sum(axis=1)]), reached)
+    return ph.planar_arm(v[:3]), np.column_stack([q, v[3] - q.sum(axis=1)]), reached
 
 
 class design(typing.NamedTuple):
@@ -88,7 +78,7 @@ class design(typing.NamedTuple):
     variables: tuple[str, ...]
     start: tuple[float, ...]
     bounds: tuple[tuple[float, float], ...]
-    at: Callable[[Sequence[float], Array], posed]
+    at: Callable[[Sequence[float], Array], Posed]
     """With these numbers, at places [m] in the base frame."""
 
 
@@ -115,11 +105,12 @@ DESIGNS = (
 
 
 def figures_of(of: design, numbers: Sequence[float], what: task) -> tuple[Array, Array]:
-    """The drag for each newton out of the wall [1] and the sink slope [1] at each place; NaN out of reach."""
+    """The drag for each newton out of the wall [1] and the sink slope [1] at each place, one way and back; NaN out of reach."""
     device, q, reached = of.at(numbers, what.x - np.asarray(numbers[-2:]))
     brakes = device.brakes(torque_limit=TORQUE_LIMIT)
-    found = device.design_map(q, what.direction, what.normal, brakes, PUSH)
-    return tuple(np.where(reached, found[name], np.nan) for name in ("drag", "sink_slope"))  # type: ignore
+    ways = [device.design_map(q, way * what.direction, what.normal, brakes, PUSH) for way in (1, -1)]
+    both = {name: np.concatenate([np.where(reached, of_way[name], np.nan) for of_way in ways]) for name in ("drag", "sink_slope")}
+    return both["drag"], both["sink_slope"]
 
 
 def costs_of(drag: Array, sink_slope: Array) -> Array:
@@ -147,32 +138,17 @@ def draw_design(axes: plots.Axes, of: design, numbers: Sequence[float], what: ta
     x, (drag, sink_slope) = what.x - np.asarray(numbers[-2:]), figures_of(of, numbers, what)
     device, q, reached = of.at(numbers, x)
     plots.draw_device(device, q[np.argmax(reached)], axes)
-    dots = x + np.repeat([0.004, 0.010], len(x) // 2)[:, None] * what.normal  # on the free side of the wall [m]
+    dots = np.concatenate([x + 0.004 * what.normal, x + 0.010 * what.normal])  # on the free side of the wall [m]
     costs = costs_of(drag, sink_slope)
     axes.scatter(*dots.T, c=costs, cmap="cividis_r", vmin=0, vmax=WORST, s=14, zorder=8)
     axes.set(xlim=(-0.22, 0.22), ylim=(-0.12, 0.32))
     axes.set_title(f"{title}: cost {np.mean(costs):.2f}, {np.mean(sink_slope == 0):.0%} held", fontsize=10)
 
 
-def draw_reductions(path: str, tasks: Sequence[task]) -> dict[str, float]:
-    """The cost of the paper's device over its reduction k2, for each task; returns the best k2 of each."""
-    values, best = np.geomspace(0.1, 2.5, 49), {}
-    axes = plt.subplots(figsize=(6, 4), layout="constrained")[1]
-    for what, colour in zip(tasks, (plots.BLUE, plots.VERMILION)):
-        costs = [cost_of(DESIGNS[0], (0.15, 0.15, k2, 0, 0), what) for k2 in values]
-        best[what.name] = float(values[int(np.argmin(costs))])
-        axes.plot(values, costs, color=colour, lw=2, label=f"{what.name}: best at {best[what.name]:.2f}")
-    axes.axvline(PAPERS_K2, color=plots.MUTED, lw=1, ls="--", label="the paper's 0.4")
-    axes.set(xscale="log", xlabel="k2 [1]", ylabel="cost [1]", ylim=(0, None))
-    axes.legend(frameon=False)
-    axes.figure.savefig(path, dpi=150)
-    return best
-
-
 def main() -> None:
     """The whole study."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--output", default=".", help="the folder of the pictures")
+    parser.add_argument("--output", default=".", help="the folder of the picture")
     parser.add_argument("--rounds", type=int, default=60, help="of the optimiser; 60 take a minute or two")
     given = parser.parse_args()
     os.makedirs(given.output, exist_ok=True)
@@ -186,9 +162,11 @@ def main() -> None:
         draw_design(left, of, of.start, what, f"{of.name}, before")
         draw_design(right, of, after, what, "after")
     figure.savefig(os.path.join(given.output, "design.png"), dpi=120)
-    best = draw_reductions(os.path.join(given.output, "design_reductions.png"), [papers_wall(), what])
-    print("best k2: " + ", ".join(f"{k2:.2f} {name}" for name, k2 in best.items()))
-    print(f"Pictures: {given.output}/design.png, {given.output}/design_reductions.png")
+    for of_k2 in (papers_wall(), what):
+        costs = {k2: cost_of(DESIGNS[0], (0.15, 0.15, k2, 0, 0), of_k2) for k2 in (PAPERS_K2, *np.geomspace(0.1, 2.5, 49))}
+        best = min(costs, key=costs.__getitem__)
+        print(f"{of_k2.name}: cost {costs[PAPERS_K2]:.2f} with k2 = {PAPERS_K2}, {costs[best]:.2f} with k2 = {best:.2f}")
+    print(f"The picture: {given.output}/design.png")
 
 
 if __name__ == "__main__":

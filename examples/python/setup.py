@@ -21,13 +21,7 @@ if not os.path.isdir(os.path.join(root, "include", "passive_haptics")):
 root = os.path.abspath(root)
 build = os.path.join(os.environ.get("PASSIVE_HAPTICS_BUILD", os.path.join(root, "build")), "python")
 headers = os.path.join(root, "include", "passive_haptics")
-
-
-def version():
-    """The version of the library."""
-    text = open(os.path.join(headers, "core", "version.hpp"), encoding="utf-8").read()
-    part = lambda name: re.search(rf"VERSION_{name} (\d+)", text).group(1)
-    return ".".join(part(name) for name in ("MAJOR", "MINOR", "PATCH"))
+version = ".".join(re.findall(r"VERSION_\w+ (\d+)", open(os.path.join(headers, "core", "version.hpp"), encoding="utf-8").read()))
 
 
 class build_by_cmake(build_ext):
@@ -48,8 +42,7 @@ class build_by_cmake(build_ext):
         made = os.path.join(folder, "examples", "python") if given else folder
         module = next(name for name in os.listdir(made) if name.startswith("_native."))
         shutil.copy2(os.path.join(made, module), package)
-        classes = os.path.join(package, "classes.py")
-        subprocess.check_call([sys.executable, classes, os.path.join(package, module), package])
+        subprocess.check_call([sys.executable, os.path.join(package, "classes.py")])
         to = os.path.join(package, "include")
         shutil.rmtree(to, ignore_errors=True)
         shutil.copytree(headers, os.path.join(to, "passive_haptics"))
@@ -82,7 +75,7 @@ class wheel_with_license(bdist_wheel):
 os.chdir(here)
 os.makedirs(build, exist_ok=True)
 setup(
-    version=version(),
+    version=version,
     packages=["passive_haptics"],
     package_dir={"": "package"},
     package_data={"passive_haptics": ["py.typed"]},

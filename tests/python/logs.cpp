@@ -1,8 +1,8 @@
-// Logs by the library's own writer and reader, for those of Python.
+// A log by the library's own writer, for the reader of Python.
 #include "reference.hpp"
 
 #include <log/decision.hpp>
-#include <log/replay.hpp>
+#include <log/log_row.hpp>
 
 #include <passive_haptics/passive_haptics.hpp>
 
@@ -13,31 +13,13 @@ namespace {
 
 using arm = ph::tendon_two_link<double>;
 
-// The law that test_logs.py replays its log with.
-auto control_at_wall() {
-  const ph::half_space<2> plane({0, 0.225}, {0, -1});
-  return ph::controller(arm(), ph::brakes_of<arm>(), ph::scene(ph::wall(plane, 1e5)), ph::direct_control());
-}
-
-// A log that Python wrote, as the program replay takes it.
-void replay_log(const std::string& in, const std::string& to) {
-  std::ifstream log(in);
-  std::ofstream out(to);
-  example::log_reader reader(log, in);
-  const ph::half_space<2> plane({0, 0.225}, {0, -1});
-  namespace rt = ph::runtime;
-  const auto control = rt::make_controller<ph::direct_control>(
-      arm(), {rt::brake_numbers(arm::brake_count), rt::any_scene<2>(ph::scene(ph::wall(plane, 1e5))),
-              rt::any_parameters(ph::direct_control())});
-  example::replay(reader, out, *control);
-}
-
 // The cycles of a file of states as a log like that of brake_driver, and its numbers beside it.
 void write_log(const std::string& in, const std::string& to) {
   const task<arm> given(in);
   std::ofstream log(to);
   doubles_out numbers(to + ".numbers");
-  auto control = control_at_wall();
+  const ph::half_space<2> plane({0, 0.225}, {0, -1});
+  ph::controller control(arm(), ph::brakes_of<arm>(), ph::scene(ph::wall(plane, 1e5)), ph::direct_control());
   example::log_row row;
   std::int64_t cycle = 0;
   for (auto state : given.states) {
@@ -62,9 +44,7 @@ void write_log(const std::string& in, const std::string& to) {
 
 bool reference::run_log(const std::string& device, const std::string& law, const std::string& mode,
                         const std::string& in, const std::string& to) {
-  if (device != "tendon_two_link" || law != "log") return false;
-  if (mode == "replay") replay_log(in, to);
-  else if (mode == "write") write_log(in, to);
-  else return false;
+  if (device != "tendon_two_link" || law != "log" || mode != "write") return false;
+  write_log(in, to);
   return true;
 }

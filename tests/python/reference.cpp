@@ -7,8 +7,7 @@
 
 int main(int count, char** words) {
   if (count != 6) {
-    std::fprintf(stderr,
-                 "usage: %s DEVICE LAW cycle|batch|figures|depth|runs|replay|write|SCENE STATES RESULTS\n",
+    std::fprintf(stderr, "usage: %s DEVICE LAW cycle|batch|figures|depth|runs|write|SCENE STATES RESULTS\n",
                  words[0]);
     return 2;
   }

@@ -63,10 +63,7 @@ def test_the_program_judges_the_papers_reduction(tmp_path):
     )
     for of in study.DESIGNS:
         assert f"{of.name}: cost " in run.stdout
-    assert "best k2: 1.20 the paper's wall, 0.57 around a disc" in run.stdout
-    for name in ("design.png", "design_reductions.png"):
-        assert (tmp_path / name).stat().st_size > 20_000
-    cost = lambda k2, what: study.cost_of(study.DESIGNS[0], (0.15, 0.15, k2, 0, 0), what)
-    assert cost(0.4, DISC) < 1.02 * cost(0.57, DISC)
-    assert cost(0.4, study.papers_wall()) > 1.5 * cost(1.2, study.papers_wall())
+    assert "the paper's wall: cost 0.74 with k2 = 0.4, 0.46 with k2 = 1.20\n" in run.stdout
+    assert "around a disc: cost 0.52 with k2 = 0.4, 0.52 with k2 = 0.57\n" in run.stdout
+    assert (tmp_path / "design.png").stat().st_size > 20_000
     assert ph.tendon_two_link().parameters["reduction_2"] == study.PAPERS_K2

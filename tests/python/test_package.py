@@ -59,16 +59,10 @@ def test_guide_runs():
     assert "length_1 [m] = -1: expected a finite number > 0" in text
 
 
-def test_picture_is_drawn(tmp_path):
-    pytest.importorskip("matplotlib")
-    text = run(sys.executable, os.path.join(EXAMPLE, "passive_fme.py"), "--output", str(tmp_path))
-    assert "approximate" in text
-    assert os.path.getsize(tmp_path / "passive_fme.png") > 20_000
-
-
 def test_help_is_what_the_example_prints():
     pytest.importorskip("matplotlib")
-    text = run(sys.executable, os.path.join(EXAMPLE, "passive_fme.py"), "--help", env={**os.environ, "COLUMNS": "100"})
+    program = os.path.join(ROOT, "docs", "guide", "pictures.py")
+    text = run(sys.executable, program, "--help", env={**os.environ, "COLUMNS": "100"})
     assert text == read(ROOT, "examples", "help", "python.txt")
 
 

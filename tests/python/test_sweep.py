@@ -17,7 +17,6 @@ import pytest
 
 import experiments
 from experiments import BAD, DIES, EXITS, UNPICKLABLE, counted, digest, experiment
-from passive_haptics import progress as progress_module
 from passive_haptics.sweep import _results_in, sweep, sweep_error
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -241,7 +240,7 @@ class Terminal:
 def test_progress_is_shown_at_a_terminal_when_it_takes_long(isatty, progress, after, monkeypatch):
     terminal = Terminal(isatty)
     monkeypatch.setattr(sys, "stderr", terminal)
-    monkeypatch.setattr(progress_module, "AFTER", after)
+    monkeypatch.setattr(sys.modules["passive_haptics.sweep"], "AFTER", after)
     with ThreadPoolExecutor(1) as executor:
         sweep(abs, range(250), executor, progress=progress)
     if after == 0 and (isatty if progress is None else progress):

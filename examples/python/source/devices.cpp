@@ -23,13 +23,12 @@ const rt::any_design& mechanism::functions() const {
               " task dimensions: expected one of a kind that the package has functions for");
 }
 
-controller::only_call::only_call(controller& of) : of_(of) {
-  if (of.is_called_)
+only_call::only_call(bool& is_called) : is_called_(is_called) {
+  if (is_called)
     refuse_value(
         "the controller is called while a function of its mechanism runs: expected one call at a time: make "
-        "a "
-        "controller for each thread, and call none from such a function");
-  of.is_called_ = true;
+        "a controller for each thread, and call none from such a function");
+  is_called = true;
 }
 
 rt::cycle_record controller::step(const rt::state_view& state) {
@@ -44,9 +43,9 @@ rt::cycle_record controller::step(const rt::state_view& state) {
   if (!state.hand_force.empty()) check("hand_force", state.hand_force.size(), sizes.task_dimension);
   else if (held_->needs_hand_force())
     refuse_value("hand_force = None: expected a force [N]: the law needs one; or use a law that needs none");
-  only_call alone(*this);
+  const only_call alone(is_called_);
   deferred_error errors;
-  const rt::cycle_record record = alone.held()(state);
+  const rt::cycle_record record = (*held_)(state);
   errors.rethrow();
   return record;
 }
@@ -89,14 +88,6 @@ void for_each_value(R& r, F&& f) {
   f("cone_coefficients", r.cone_coefficients, 'm', "Array: Torques that make Fc [N m].");
   f("signs", r.signs, 'm', "Array: s, -1, 0 or 1 of each brake.");
 }
-template <class R, class F>
-void for_each_value_and_settled(R& r, F&& f) {
-  for_each_value(r, f);
-  f("settled_signs", r.settled_signs, 'm',
-    "Array: s* once the self-motion has settled; empty of a device without it.");
-  f("settled_velocity", r.settled_velocity, 'd',
-    "Array: v' [m/s], to which s* belongs; empty of a device without it.");
-}
 
 template <int Max>
 py::object to_object(const rt::few_numbers<Max>& x) {
@@ -121,9 +112,8 @@ py::list reports(const rt::cycle_record& r) {
 
 void bind_results(py::module_& module) {
   using S = device_state;
-  const auto force_of = [](const S& s) -> py::object {
-    if (s.hand_force.empty()) return py::none();
-    return array_of(s.hand_force);
+  const auto force_of = [](const S& s) {
+    return s.hand_force.empty() ? py::none() : py::object(array_of(s.hand_force));
   };
   py::class_<S>(
       module, "device_state",
@@ -138,13 +128,19 @@ void bind_results(py::module_& module) {
           "q", [](const S& s) { return array_of(s.q); }, "Array: Joint positions [rad or m].")
       .def_property_readonly(
           "qd", [](const S& s) { return array_of(s.qd); }, "Array: Joint rates [rad/s or m/s].")
-      .def_property_readonly(
-          "hand_force", force_of,
-          "Array: Of the hand on the handle [N], base frame; None without a force sensor.");
+      .def_property_readonly("hand_force", force_of,
+                             "Array: Of the hand on the handle [N], base frame; None without a force sensor.")
+      .def(py::pickle([](const S& s) { return py::make_tuple(s.time, s.q, s.qd, s.hand_force); },
+                      [](const py::tuple& t) {
+                        const auto vector = [&](int i) {
+                          return t[std::size_t(i)].cast<std::vector<double>>();
+                        };
+                        return S{t[0].cast<double>(), vector(1), vector(2), vector(3)};
+                      }));
   using R = rt::cycle_record;
   py::class_<R> result(module, "step_result", "What one control cycle decides, and why.");
   R layout;
-  for_each_value_and_settled(layout, [&](const char* name, auto& member, char, const char* about) {
+  const auto bind = [&](const char* name, auto& member, char, const char* about) {
     const auto at = reinterpret_cast<const char*>(&member) - reinterpret_cast<const char*>(&layout);
     using V = std::remove_reference_t<decltype(member)>;
     result.def_property_readonly(
@@ -153,17 +149,23 @@ void bind_results(py::module_& module) {
           return to_object(*reinterpret_cast<const V*>(reinterpret_cast<const char*>(&r) + at));
         },
         about);
-  });
+  };
+  for_each_value(layout, bind);
+  bind("settled_signs", layout.settled_signs, 'm',
+       "Array: s* once the self-motion has settled; empty of a device without it.");
+  bind("settled_velocity", layout.settled_velocity, 'd',
+       "Array: v' [m/s], to which s* belongs; empty of a device without it.");
   result
       .def_property_readonly("contacts", &reports, "list[contact_report]: Each touched wall, under any law.")
-      .def("to_bytes", [](const R& r) { return py::bytes(reinterpret_cast<const char*>(&r), sizeof r); })
-      .def_static("from_bytes", [](const std::string& content) {
-        if (content.size() != sizeof(R))
-          refuse_value("a pickled step_result of another version: expected one of this one");
-        R r;
-        std::memcpy(static_cast<void*>(&r), content.data(), sizeof r);
-        return r;
-      });
+      .def(py::pickle([](const R& r) { return py::bytes(reinterpret_cast<const char*>(&r), sizeof r); },
+                      [](const py::bytes& pickled) {
+                        const std::string content = pickled;
+                        if (content.size() != sizeof(R))
+                          refuse_value("a pickled step_result of another version: expected one of this one");
+                        R r;
+                        std::memcpy(static_cast<void*>(&r), content.data(), sizeof r);
+                        return r;
+                      }));
   std::vector<std::tuple<std::string, std::string>> fields;
   for_each_value(layout, [&](const char* name, auto&, char width, const char*) {
     fields.emplace_back(name, std::string(1, width));
@@ -240,56 +242,35 @@ void run_batch(const controller& of, py::handle q, py::handle qd, py::handle han
 rt::brake_numbers brakes_of(const named& n) { return n.table.as<rt::brake_numbers>(); }
 
 py::array positions(const mechanism& m, py::handle q) {
-  deferred_error errors;
   const rows_of rows(q, "q", m.sizes().dof);
-  const int d = m.sizes().task_dimension;
-  auto all = results_for(rows, {d});
-  for (py::ssize_t k = 0; k < rows.size(); ++k)
-    std::copy_n(m.held->position(rows[k]).data(), d, all.mutable_data() + k * d);
-  errors.rethrow();
-  return all;
+  return by_rows(rows, {m.sizes().task_dimension}, [&](py::ssize_t k) { return m.held->position(rows[k]); });
 }
 py::array jacobians(const mechanism& m, py::handle q) {
-  deferred_error errors;
   const auto [n, d, brakes] = m.sizes();
   const rows_of rows(q, "q", n);
-  auto all = results_for(rows, {d, n});
-  std::vector<double> J(static_cast<std::size_t>(d * n));
-  double* to = all.mutable_data();
-  for (py::ssize_t k = 0; k < rows.size(); ++k) {
-    m.held->jacobian(rows[k], J);
-    for (int i = 0; i < d; ++i)
-      for (int j = 0; j < n; ++j) *to++ = J[static_cast<std::size_t>(i + d * j)];
-  }
-  errors.rethrow();
-  return all;
+  Eigen::MatrixXd J(d, n);
+  return by_rows(rows, {d, n}, [&](py::ssize_t k) -> Eigen::MatrixXd {
+    m.held->jacobian(rows[k], {J.data(), std::size_t(J.size())});
+    return J.transpose();  // row by row
+  });
 }
 py::array brake_rates(const mechanism& m, py::handle q, py::handle qd) {
-  deferred_error errors;
-  const auto [n, d, brakes] = m.sizes();
-  const rows_of rows(q, "q", n), rates(qd, "qd", n);
-  if (!rates.is_one() && rates.size() != rows.size())
-    refuse_value("number of rows of qd = " + std::to_string(rates.size()) + ": expected " +
-                 std::to_string(rows.size()) + ", as q has");
-  auto all = results_for(rows, {brakes});
-  for (py::ssize_t k = 0; k < rows.size(); ++k)
-    std::copy_n(m.held->brake_rates(rows[k], rates[k]).data(), brakes, all.mutable_data() + k * brakes);
-  errors.rethrow();
-  return all;
+  const rows_of rows(q, "q", m.sizes().dof), rates(qd, "qd", m.sizes().dof, rows);
+  return by_rows(rows, {m.sizes().brake_count},
+                 [&](py::ssize_t k) { return m.held->brake_rates(rows[k], rates[k]); });
 }
-// Joint positions and whole numbers of the statuses; nothing where the mechanism has no formula.
+// Joint positions and whole numbers of the statuses; None where the mechanism has no formula.
 py::object inverse(const mechanism& m, py::handle x, bool is_right) {
-  const auto [n, d, brakes] = m.sizes();
-  const rows_of rows(x, "x", d);
-  auto q = results_for(rows, {n});
+  const rows_of rows(x, "x", m.sizes().task_dimension);
   auto outcomes = results_for<int>(rows, {});
-  for (py::ssize_t k = 0; k < rows.size(); ++k) {
+  bool has_inverse = true;
+  const auto q = by_rows(rows, {m.sizes().dof}, [&](py::ssize_t k) {
     const auto found = m.held->solve(rows[k], is_right ? ph::elbow::right : ph::elbow::left);
-    if (!found.has_inverse) return py::none();
-    std::copy_n(found.q.data(), n, q.mutable_data() + k * n);
+    has_inverse = found.has_inverse;
     outcomes.mutable_data()[k] = static_cast<int>(found.outcome);
-  }
-  return py::make_tuple(q, outcomes);
+    return found.q;
+  });
+  return has_inverse ? py::object(py::make_tuple(q, outcomes)) : py::none();
 }
 
 std::unique_ptr<controller> made_controller(const mechanism& m, const named& brakes, const scene& walls,

@@ -7,6 +7,7 @@
 #include <passive_haptics/runtime/any_design.hpp>
 #include <passive_haptics/runtime/catalogue.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <utility>
@@ -35,6 +36,18 @@ struct device_state {
   operator rt::state_view() const { return {time, q, qd, hand_force}; }
 };
 
+/// A call that is the only one of its object while it lives; another one is a ValueError.
+class only_call {
+ public:
+  explicit only_call(bool& is_called);  ///< Sets a flag of the object until its end.
+  only_call(const only_call&) = delete;
+  only_call& operator=(const only_call&) = delete;
+  ~only_call() { is_called_ = false; }
+
+ private:
+  bool& is_called_;
+};
+
 /// A controller that one call uses at a time: a function of a mechanism in Python might call it again.
 class controller {
  public:
@@ -43,24 +56,12 @@ class controller {
   /// One cycle. A ValueError if a vector has another size, or there is no hand force where the law needs one;
   /// throws what functions of a mechanism in Python throw.
   rt::cycle_record step(const rt::state_view& state);
-  void reset() { only_call(*this).held().reset(); }  ///< Forgets the motion.
+  void reset() { only_call{is_called_}, held_->reset(); }  ///< Forgets the motion.
   /// Other brakes from the next cycle on.
-  void set_brakes(const rt::brake_numbers& brakes) { only_call(*this).held().set_brakes(brakes); }
+  void set_brakes(const rt::brake_numbers& brakes) { only_call{is_called_}, held_->set_brakes(brakes); }
   const rt::any_controller& held() const { return *held_; }  ///< The controller.
 
  private:
-  class only_call {
-   public:
-    explicit only_call(controller& of);
-    only_call(const only_call&) = delete;
-    only_call& operator=(const only_call&) = delete;
-    ~only_call() { of_.is_called_ = false; }
-    rt::any_controller& held() { return *of_.held_; }
-
-   private:
-    controller& of_;
-  };
-
   std::unique_ptr<rt::any_controller> held_;
   bool is_called_ = false;
 };
@@ -91,13 +92,26 @@ class deferred_error {
   std::exception_ptr error_;
 };
 
+/// The numbers f(k) of each row k, in this shape. Throws what functions of a mechanism in Python threw.
+template <class F>
+py::array_t<double> by_rows(const rows_of& rows, const std::vector<py::ssize_t>& shape, const F& f) {
+  deferred_error errors;
+  auto all = results_for(rows, shape);
+  double* const first = all.mutable_data();
+  for (py::ssize_t k = 0; k < rows.size(); ++k) {
+    const auto& found = f(k);
+    std::copy_n(found.data(), found.size(), first + k * all.size() / rows.size());
+  }
+  errors.rethrow();
+  return all;
+}
+
 // Each binds a part of the module.
 void bind_scenes(py::module_& module);
 void bind_devices(py::module_& module);
 void bind_design(py::class_<mechanism>& bound);
 void bind_simulations(py::module_& module);
 void bind_python_mechanism(py::module_& module);
-void bind_logs(py::module_& module);
 
 }  // namespace passive_haptics_python
 

@@ -33,17 +33,6 @@ double number_named(py::handle x, const Name& name) {
   refuse_value(name() + " = " + shown(x) + ": expected a number that a double can hold");
 }
 
-// Lists of numbers or of such lists.
-bool holds_numbers(py::handle x, const std::string& name) {
-  if (!PyList_Check(x.ptr()) && !PyTuple_Check(x.ptr())) return false;
-  std::size_t i = 0;
-  for (const py::handle part : py::reinterpret_borrow<py::sequence>(x)) {
-    const std::string place = name + "[" + std::to_string(i++) + "]";
-    if (!holds_numbers(part, place) && !py::isinstance<py::array>(part)) number_from(part, place);
-  }
-  return true;
-}
-
 }  // namespace
 
 double number_from(py::handle x, const std::string& name) {
@@ -59,11 +48,11 @@ int whole_number_from(py::handle x, const std::string& name) {
   refuse_value(name + " = " + shown(x) + ": expected a whole number of ordinary size");
 }
 
-py::array_t<double> array_from(py::handle x, const std::string& name, std::initializer_list<int> axes) {
+numbers_array array_from(py::handle x, const std::string& name, std::initializer_list<int> axes) {
   py::object given = py::reinterpret_borrow<py::object>(x);
-  if (holds_numbers(x, name)) {
+  if (PyList_Check(x.ptr()) || PyTuple_Check(x.ptr())) {
     try {
-      given = py::module_::import("numpy").attr("array")(x, py::arg("dtype") = "f8");
+      given = py::module_::import("numpy").attr("array")(x);
     } catch (const py::error_already_set&) {
       refuse_value(name + " = " + shown(x) + ": expected rows of equal length");
     }
@@ -84,7 +73,15 @@ py::array_t<double> array_from(py::handle x, const std::string& name, std::initi
                  (axes.size() > 1      ? " or 2 axes"
                   : *axes.begin() == 1 ? " axis"
                                        : " axes"));
-  return py::array_t<double>(array);
+  return numbers_array(array);
+}
+
+numbers_array matrix_from(py::handle x, const std::string& name, int rows, int columns) {
+  numbers_array all = array_from(x, name, {2});
+  if ((rows >= 0 && all.shape(0) != rows) || (columns >= 0 && all.shape(1) != columns))
+    refuse_value("shape of " + name + " = " + std::string(py::str(all.attr("shape"))) + ": expected (" +
+                 (rows < 0 ? "N" : std::to_string(rows)) + ", " + std::to_string(columns) + ")");
+  return all;
 }
 
 std::vector<double> vector_from(py::handle x, const std::string& name, int size) {
@@ -93,9 +90,8 @@ std::vector<double> vector_from(py::handle x, const std::string& name, int size)
     for (const py::handle each : py::reinterpret_borrow<py::sequence>(x))
       all.push_back(number_named(each, [&] { return name + "[" + std::to_string(all.size()) + "]"; }));
   } else {
-    const py::array_t<double> array = array_from(x, name, {1});
-    const auto at = array.unchecked<1>();
-    for (py::ssize_t i = 0; i < at.shape(0); ++i) all.push_back(at(i));
+    const numbers_array array = array_from(x, name, {1});
+    all.assign(array.data(), array.data() + array.size());
   }
   if (size >= 0 && std::ssize(all) != size)
     refuse_value("length of " + name + " = " + std::to_string(all.size()) + ": expected " +
@@ -111,6 +107,13 @@ rows_of::rows_of(py::handle x, const std::string& name, int width)
     refuse_value("length of " + name + " = " + std::to_string(found) + ": expected " + std::to_string(width));
   refuse_value("shape of " + name + " = " + std::string(py::str(array_.attr("shape"))) + ": expected (N, " +
                std::to_string(width) + ")");
+}
+
+rows_of::rows_of(py::handle x, const std::string& name, int width, const rows_of& q)
+    : rows_of(x, name, width) {
+  if (!is_one_ && size() != q.size())
+    refuse_value("number of rows of " + name + " = " + std::to_string(size()) + ": expected " +
+                 std::to_string(q.size()) + ", as q has");
 }
 
 }  // namespace passive_haptics_python

@@ -45,7 +45,10 @@ int whole_number_from(py::handle x, const std::string& name);
 /// x, a list, a tuple or an array of real numbers, as an array of float64 with one of these numbers of axes;
 /// else a TypeError or ValueError. An array of a class that is derived from numpy.ndarray (masked, matrix) is
 /// rejected, as it may mean something else.
-py::array_t<double> array_from(py::handle x, const std::string& name, std::initializer_list<int> axes);
+using numbers_array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+numbers_array array_from(py::handle x, const std::string& name, std::initializer_list<int> axes);
+/// x as rows of numbers; -1: any number of them.
+numbers_array matrix_from(py::handle x, const std::string& name, int rows, int columns);
 
 /// x as a vector of `size` numbers, of any number where size is -1.
 std::vector<double> vector_from(py::handle x, const std::string& name, int size = -1);
@@ -55,6 +58,8 @@ class rows_of {
  public:
   /// Of an array with `width` numbers in each row, or of one row.
   rows_of(py::handle x, const std::string& name, int width);
+  /// As many as q has, or one for all.
+  rows_of(py::handle x, const std::string& name, int width, const rows_of& q);
   bool is_one() const { return is_one_; }  ///< A single row without an axis of its own.
   py::ssize_t size() const { return is_one_ ? 1 : array_.shape(0); }  ///< N
   std::span<const double> operator[](py::ssize_t k) const {           ///< Row k; the only row for each k.
@@ -62,7 +67,7 @@ class rows_of {
   }
 
  private:
-  py::array_t<double, py::array::c_style | py::array::forcecast> array_;
+  numbers_array array_;
   py::ssize_t width_;
   bool is_one_ = false;
 };
@@ -78,11 +83,6 @@ py::array_t<T> results_for(const rows_of& rows, std::vector<py::ssize_t> shape) 
 template <class V>
 py::array_t<double> array_of(const V& v) {
   return py::array_t<double>(static_cast<py::ssize_t>(v.size()), v.data());
-}
-/// Numbers as a list.
-template <class V>
-py::list list_of(const V& v) {
-  return array_of(v).attr("tolist")();
 }
 
 /// The value of an enumeration as the IntEnum of the package.

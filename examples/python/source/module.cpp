@@ -3,6 +3,7 @@
 #include "devices.hpp"
 
 #include <catalogue/catalogue.hpp>
+#include <log/log_columns.hpp>
 
 #include <passive_haptics/core/version.hpp>
 #include <passive_haptics/runtime/device_file/device_text.hpp>
@@ -11,6 +12,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -53,6 +55,31 @@ py::tuple chain_from_urdf(const std::string& path, const std::string& base, cons
   return py::make_tuple(to_dict(made.parameters), made.remarks);
 }
 
+// Bytes that are not UTF-8 stay what they are, as in the names of files.
+py::object text_from(const std::string& bytes) {
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(bytes.data(), std::ssize(bytes), "surrogateescape"));
+}
+
+// Arrays of numbers or lists of words, and units, by the names of the columns.
+py::tuple read_log(const std::string& path) {
+  std::ifstream file(path);
+  py::dict values, units;
+  try {
+    example::log_reader log(file, path);
+    for (const example::log_column& column : example::columns_of(log, let_others_run)) {
+      py::list words;
+      for (const std::string& word : column.words) words.append(text_from(word));
+      const py::object name = text_from(column.name);
+      values[name] = column.is_words() ? py::object(words) : array_of(column.numbers);
+      units[name] = text_from(column.unit);
+    }
+  } catch (const example::log_error& error) {
+    refuse_value(error.what());
+  }
+  return py::make_tuple(values, units);
+}
+
 }  // namespace
 }  // namespace passive_haptics_python
 
@@ -71,7 +98,7 @@ PYBIND11_MODULE(_native, module) {
   module.def("scene_of_device", &scene_of_device);
   module.def("chain_from_urdf", &chain_from_urdf);
   module.attr("catalogue") = py::capsule(&example::catalogue(), "passive_haptics::runtime::catalogue");
-  for (const auto bind :
-       {bind_named, bind_scenes, bind_devices, bind_simulations, bind_python_mechanism, bind_logs})
+  module.def("read_log", &read_log);
+  for (const auto bind : {bind_named, bind_scenes, bind_devices, bind_simulations, bind_python_mechanism})
     bind(module);
 }

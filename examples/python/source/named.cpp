@@ -9,7 +9,6 @@
 #include <passive_haptics/runtime/device_file/nearest_name.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace passive_haptics_python {
 namespace {
@@ -25,27 +24,30 @@ std::string name_of(const field& f) {
   return name;
 }
 
-template <class Entries>
-const rt::any_parameters* defaults_in(const Entries& all, const std::string& name) {
-  const auto* found = rt::find(all, name);
-  return found == nullptr ? nullptr : &found->defaults;
+// f(name, entries, dimension) of each list of the catalogue; 0: of any dimension.
+template <class F>
+void for_each_list(const F& f) {
+  const rt::catalogue& all = example::catalogue();
+  f("mechanism", all.mechanisms(), 0);
+  f("law", all.laws(), 0);
+  f("brake_model", all.brake_models(), 0);
+  f("shape", all.shapes<2>(), 2);
+  f("shape", all.shapes<3>(), 3);
+  f("effect", all.effects<2>(), 2);
+  f("effect", all.effects<3>(), 3);
 }
 
 rt::any_parameters defaults_of(const std::string& list, const std::string& name, int d) {
-  const rt::catalogue& all = example::catalogue();
-  const rt::any_parameters* found = nullptr;
-  if (list == "mechanism") found = defaults_in(all.mechanisms(), name);
-  else if (list == "law") found = defaults_in(all.laws(), name);
-  else if (list == "brake_model") found = defaults_in(all.brake_models(), name);
-  else if (list == "shape")
-    found = d == 2 ? defaults_in(all.shapes<2>(), name) : defaults_in(all.shapes<3>(), name);
-  else if (list == "effect")
-    found = d == 2 ? defaults_in(all.effects<2>(), name) : defaults_in(all.effects<3>(), name);
-  else if (list == "brakes") return rt::any_parameters(rt::brake_numbers(d));
-  else if (name == "following_hand") return rt::any_parameters(ph::following_hand_parameters<double>());
-  else if (name == "wall_following_parameters") return rt::any_parameters(ph::wall_following_parameters());
-  else if (name == "controller") return rt::any_parameters(rt::cycle_options());
-  if (found != nullptr) return *found;
+  if (list == "brakes") return rt::any_parameters(rt::brake_numbers(d));
+  if (name == "following_hand") return rt::any_parameters(ph::following_hand_parameters<double>());
+  if (name == "wall_following_parameters") return rt::any_parameters(ph::wall_following_parameters());
+  if (name == "controller") return rt::any_parameters(rt::cycle_options());
+  const rt::any_parameters* defaults = nullptr;
+  for_each_list([&](const char* of, const auto& entries, int dimension) {
+    if (list != of || (dimension != 0 && (d == 3) != (dimension == 3))) return;
+    if (const auto* found = rt::find(entries, name)) defaults = &found->defaults;
+  });
+  if (defaults != nullptr) return *defaults;
   refuse_value(list + " = '" + name + "': expected a name of the catalogue of this dimension");
 }
 
@@ -70,13 +72,9 @@ void assign_numbers(const field& f, py::handle x, const std::string& name, bool 
   } else if (f.columns == 1) {
     std::ranges::copy(vector_from(x, name, f.rows), f.numbers());
   } else {
-    const py::array_t<double> rows = array_from(x, name, {2});
-    if (rows.shape(0) != f.rows || rows.shape(1) != f.columns)
-      refuse_value("shape of " + name + " = " + std::string(py::str(rows.attr("shape"))) + ": expected (" +
-                   std::to_string(f.rows) + ", " + std::to_string(f.columns) + ")");
-    const auto at = rows.unchecked<2>();
+    const numbers_array rows = matrix_from(x, name, f.rows, f.columns);
     for (int i = 0; i < f.rows; ++i)
-      for (int j = 0; j < f.columns; ++j) f.numbers()[i + j * f.rows] = at(i, j);
+      for (int j = 0; j < f.columns; ++j) f.numbers()[i + j * f.rows] = rows.at(i, j);
   }
 }
 
@@ -107,14 +105,8 @@ void assign(const field& f, py::handle x, const std::string& name, bool broadcas
       return;
     }
     case kind::points: {
-      const py::array_t<double> rows = array_from(x, name, {2});
-      if (rows.shape(1) != f.rows)
-        refuse_value("shape of " + name + " = " + std::string(py::str(rows.attr("shape"))) +
-                     ": expected (N, " + std::to_string(f.rows) + ")");
-      const auto at = rows.unchecked<2>();
-      double* to = f.resize(f.at, static_cast<std::size_t>(rows.shape(0)));
-      for (py::ssize_t i = 0; i < rows.shape(0); ++i)
-        for (int j = 0; j < f.rows; ++j) *to++ = at(i, j);
+      const numbers_array rows = matrix_from(x, name, -1, f.rows);
+      std::copy_n(rows.data(), rows.size(), f.resize(f.at, static_cast<std::size_t>(rows.shape(0))));
       return;
     }
     case kind::tables: {
@@ -149,33 +141,26 @@ void assign_all(const rt::field_list& fields, const py::dict& given, const std::
       assign(f, given[name.c_str()], prefix + name, broadcasts);
 }
 
-py::object rows_as_lists(const double* first, int rows, int columns) {
+// Numbers column by column as a number, a list, or a list of rows.
+py::object as_lists(const double* first, py::ssize_t rows, py::ssize_t columns) {
   if (rows == 1 && columns == 1) return py::float_(*first);
-  if (columns == 1) return list_of(std::span(first, static_cast<std::size_t>(rows)));
-  py::list all;
-  for (int i = 0; i < rows; ++i) {
-    py::list row;
-    for (int j = 0; j < columns; ++j) row.append(first[i + j * rows]);
-    all.append(row);
-  }
-  return all;
+  if (columns == 1) return py::array_t<double>(rows, first).attr("tolist")();
+  return py::array_t<double, py::array::f_style>({rows, columns}, first).attr("tolist")();
 }
 
 py::dict values_of(const rt::field_list& fields);
 py::object value_of(const field& f) {
   switch (f.type) {
-    case kind::numbers: return rows_as_lists(f.numbers(), f.rows, f.columns);
+    case kind::numbers: return as_lists(f.numbers(), f.rows, f.columns);
     case kind::whole: return py::int_(f.get(f.at));
     case kind::truth: return py::bool_(f.get(f.at) != 0);
     case kind::text: return py::str(f.text());
     case kind::choice:
       return py::str(std::string(ph::choices_of(f.about).at(static_cast<std::size_t>(f.get(f.at)))));
     case kind::points: {
-      py::list all;
       const std::size_t count = f.size(f.at);
-      const double* at = f.resize(f.at, count);
-      for (std::size_t i = 0; i < count; ++i, at += f.rows) all.append(rows_as_lists(at, f.rows, 1));
-      return all;
+      return py::array_t<double>({py::ssize_t(count), py::ssize_t(f.rows)}, f.resize(f.at, count))
+          .attr("tolist")();
     }
     case kind::tables: {
       py::list all;
@@ -224,25 +209,19 @@ py::list described(const rt::field_list& fields) {
 
 // Names in each list, with their dimensions (2, 3, or both).
 py::dict lists() {
-  const rt::catalogue& all = example::catalogue();
   py::dict found;
-  const auto add = [&](const char* list, const auto& entries, int dimension) {
+  for_each_list([&](const char* list, const auto& entries, int dimension) {
     if (!found.contains(list)) found[list] = py::dict();
     for (const auto& e : entries) {
       const py::dict names = found[list];
       if (!names.contains(e.name.c_str())) names[e.name.c_str()] = py::list();
       if (dimension > 0) names[e.name.c_str()].attr("append")(dimension);
     }
-  };
-  add("mechanism", all.mechanisms(), 0);
-  add("law", all.laws(), 0);
-  add("brake_model", all.brake_models(), 0);
-  add("shape", all.shapes<2>(), 2);
-  add("shape", all.shapes<3>(), 3);
-  add("effect", all.effects<2>(), 2);
-  add("effect", all.effects<3>(), 3);
+  });
+  found["table"] =
+      py::dict(py::arg("wall_following_parameters") = py::list(), py::arg("following_hand") = py::list());
   py::list made_of_shapes;
-  for (const auto& s : all.shapes<2>())
+  for (const auto& s : example::catalogue().shapes<2>())
     if (s.takes_shape) made_of_shapes.append(s.name);
   found["made_of_shapes"] = made_of_shapes;
   return found;
@@ -250,10 +229,8 @@ py::dict lists() {
 
 }  // namespace
 
-named::named(const std::string& of, const std::string& called, int d)
-    : list(of), name(called), dimension(d), table(defaults_of(of, called, d)) {}
-
-void named::assign(const py::dict& given) {
+named::named(const std::string& of, const std::string& called, int d, const py::dict& given)
+    : list(of), name(called), dimension(d), table(defaults_of(of, called, d)) {
   assign_all(table.fields(), given, name, "", list == "brakes");
   if (const std::string error = table.error(); !error.empty()) refuse_value(error);
   table.for_each_suspicious([](const char*, const std::string& error) { warn(error); });
@@ -263,25 +240,11 @@ py::dict to_dict(rt::any_parameters table) { return values_of(table.fields()); }
 
 void bind_named(py::module_& module) {
   py::class_<named>(module, "named")
-      .def(py::init(
-          [](const std::string& list, const std::string& name, int dimension, const py::dict& given) {
-            named n(list, name, dimension);
-            n.assign(given);
-            return n;
-          }))
-      .def_static("unlimited_brakes",
-                  [](int count) {
-                    rt::brake_numbers brakes(count);
-                    brakes.torque_limit.assign(static_cast<std::size_t>(count),
-                                               std::numeric_limits<double>::infinity());
-                    named n("brakes", "", count);
-                    n.table = rt::any_parameters(brakes);
-                    return n;
-                  })
+      .def(py::init<const std::string&, const std::string&, int, const py::dict&>())
       .def("parameters", [](const named& n) { return to_dict(n.table); });
   module.def("lists", &lists);
   module.def("fields", [](const std::string& list, const std::string& name, int dimension) {
-    return described(named(list, name, dimension).table.fields());
+    return described(defaults_of(list, name, dimension).fields());
   });
 }
 

@@ -20,11 +20,9 @@ struct named {
   int dimension = 0;         ///< 2 or 3 of a shape or an effect.
   rt::any_parameters table;  ///< The values.
 
-  /// The default values; a ValueError where there are none of this name.
-  named(const std::string& of, const std::string& called, int d);
-  /// These over the defaults. A TypeError or ValueError with the name of a parameter that is wrong; a warning
-  /// about a value that no device has.
-  void assign(const py::dict& given);
+  /// These over the default values. A ValueError if there is no such name; a TypeError or ValueError with the
+  /// name of a parameter that is wrong; a warning about a value that no device has.
+  named(const std::string& of, const std::string& called, int d, const py::dict& given);
 };
 
 /// All parameters.

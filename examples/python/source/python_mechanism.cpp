@@ -28,15 +28,8 @@ ph::vector<double, N> vector_of(py::handle x, const std::string& name) {
 }
 template <int R, int C>
 ph::matrix<double, R, C> matrix_of(py::handle x, const std::string& name) {
-  const py::array_t<double> rows = array_from(x, name, {2});
-  if (rows.shape(0) != R || rows.shape(1) != C)
-    refuse_value("shape of " + name + " = " + std::string(py::str(rows.attr("shape"))) + ": expected (" +
-                 std::to_string(R) + ", " + std::to_string(C) + ")");
-  const auto at = rows.unchecked<2>();
-  ph::matrix<double, R, C> m;
-  for (int i = 0; i < R; ++i)
-    for (int j = 0; j < C; ++j) m(i, j) = at(i, j);
-  return m;
+  const numbers_array rows = matrix_from(x, name, R, C);
+  return Eigen::Matrix<double, R, C, Eigen::RowMajor>::Map(rows.data());
 }
 
 // The mechanism of N joints and D task dimensions that these functions are, a brake on each joint. Calls
@@ -90,44 +83,29 @@ class python_functions {
       return vector_of<D>(of_->bias_acceleration(array(q), array(qd)), "bias_acceleration(q, qd)");
     });
   }
-  // Throws ValueError with the entry of J that is not the central difference of the position at finite q. If
-  // x or J is not finite, the cycle's status reports it.
-  void check(const joints& q) const {
-    if (!q.allFinite()) return;
-    of_->is_checked = true;  // its own calls below need no check
-    try {
-      check_jacobian(q);
-    } catch (...) {
-      of_->is_checked = false;
-      throw;
-    }
-  }
 
  private:
   static constexpr double tolerance = 1e-4;  // relative
 
+  // At the first finite q, throws ValueError with the entry of J that is not the central difference of the
+  // position. If x or J is not finite, the cycle's status reports it.
   void check_once(const joints& q) const {
-    if (!of_->is_checked) check(q);
-  }
-  void check_jacobian(const joints& q) const {
+    if (of_->is_checked || !q.allFinite()) return;
     const d_by_n expected = differences(q);
-    if (of_->jacobian.is_none() || !expected.allFinite()) return;
-    const d_by_n J = jacobian(q);
-    if (!J.allFinite()) return;
+    const bool is_known = !of_->jacobian.is_none() && expected.allFinite();
+    const d_by_n J = is_known ? matrix_of<D, N>(of_->jacobian(array(q)), "jacobian(q)") : expected;
     const double largest = expected.cwiseAbs().maxCoeff();
-    for (int j = 0; j < N; ++j) {  // a column has a unit of its own
+    for (int j = 0; J.allFinite() && j < N; ++j) {  // a column has a unit of its own
       const double size = std::max(expected.col(j).cwiseAbs().maxCoeff(), 0.01 * largest);
       for (int i = 0; i < D; ++i)
         if (!(std::abs(J(i, j) - expected(i, j)) <= tolerance * size))
-          refuse_value(entry("jacobian(q)", i, j, J(i, j)) + ": expected " + shown_number(expected(i, j)) +
-                       ", the slope of position(q)[" + std::to_string(i) + "] over q[" + std::to_string(j) +
-                       "] at q = " + std::string(py::str(array(q))) +
-                       "; correct the function (a transposed matrix?), or pass check=False");
+          throw py::value_error(
+              py::str(
+                  "passive_haptics: jacobian(q)[{0}][{1}] = {2}: expected {3}, the slope of position(q)[{0}] "
+                  "over q[{1}] at q = {4}; correct the function (a transposed matrix?), or pass check=False")
+                  .format(i, j, J(i, j), expected(i, j), array(q)));
     }
-  }
-  static std::string shown_number(double x) { return py::str(py::float_(x)); }
-  static std::string entry(const char* name, int i, int j, double x) {
-    return std::string(name) + "[" + std::to_string(i) + "][" + std::to_string(j) + "] = " + shown_number(x);
+    of_->is_checked = true;
   }
 
   static py::object array(const joints& x) { return array_of(x); }
@@ -171,9 +149,10 @@ std::unique_ptr<rt::any_mechanism> mechanism_of(const callables& of) {
       python_functions<N, D, true>(of));
 }
 
-mechanism made(int n, int d, const py::object& position, const py::object& jacobian,
-               const py::object& mass_matrix, const py::object& bias_torque,
+mechanism made(py::handle dof, py::handle task_dimension, const py::object& position,
+               const py::object& jacobian, const py::object& mass_matrix, const py::object& bias_torque,
                const py::object& bias_acceleration, bool is_trusted) {
+  const int n = whole_number_from(dof, "dof"), d = whole_number_from(task_dimension, "task_dimension");
   const callables of{position, jacobian, mass_matrix, bias_torque, bias_acceleration, is_trusted};
   if (n == 2 && d == 2) return mechanism(mechanism_of<2, 2>(of));
   if (n == 3 && d == 2) return mechanism(mechanism_of<3, 2>(of));

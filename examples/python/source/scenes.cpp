@@ -29,18 +29,13 @@ const auto& in_dimension(const Variant& v) {
 template <int D>
 shape_in<D> made_in(const named& n, const shape* of) {
   const auto& entry = *rt::find(example::catalogue().shapes<D>(), n.name);
-  const rt::any_shape<D>* inner = of == nullptr ? nullptr : &*in_dimension<D>(*of).solid;
+  std::optional<rt::any_shape<D>> inner;
+  if (of != nullptr) inner = in_dimension<D>(*of).solid;
   shape_in<D> made;
-  if (entry.make) made.solid = entry.make(n.table, inner);
-  if (of == nullptr) {
-    made.wall_of = [&entry, table = n.table](double stiffness) {
-      return entry.make_wall(table, nullptr, stiffness);
-    };
-  } else {
-    made.wall_of = [&entry, table = n.table, inner = *inner](double stiffness) {
-      return entry.make_wall(table, &inner, stiffness);
-    };
-  }
+  if (entry.make) made.solid = entry.make(n.table, inner ? &*inner : nullptr);
+  made.wall_of = [&entry, table = n.table, inner](double stiffness) {
+    return entry.make_wall(table, inner ? &*inner : nullptr, stiffness);
+  };
   return made;
 }
 shape made_shape(const named& n, const shape* of) {
@@ -65,42 +60,23 @@ py::array gradient_at(const shape& s, py::handle x) {
 
 // ---- meshes
 
-// A mesh, and the vertices and facets that it was made of.
-template <int D>
-struct faceted {
-  ph::mesh_parameters<D> given;
-  ph::mesh<D> surface;
-  explicit faceted(ph::mesh_parameters<D> p) : given(std::move(p)), surface(given) {}
-};
 struct mesh {
-  std::variant<faceted<2>, faceted<3>> held;
-  template <class F>
-  auto visit(F&& f) const {
-    return std::visit(std::forward<F>(f), held);
-  }
+  std::variant<ph::mesh<2>, ph::mesh<3>> held;
 };
 
 template <int D>
-mesh mesh_of(ph::mesh_parameters<D> p) {
-  const py::gil_scoped_release unlocked;
-  return {faceted<D>(std::move(p))};
-}
-template <int D>
-mesh mesh_of_arrays(const py::array_t<double>& vertices, const py::array_t<double>& facets) {
-  const auto points = vertices.unchecked<2>();
-  const auto corners = facets.unchecked<2>();
-  if (corners.shape(1) != D)
+mesh mesh_of(const numbers_array& vertices, const numbers_array& facets) {
+  if (facets.shape(1) != D)
     refuse_value("shape of facets = " + std::string(py::str(facets.attr("shape"))) + ": expected (M, " +
                  std::to_string(D) + "), " +
                  (D == 2 ? "the two ends of each segment" : "the three corners of each triangle"));
   ph::mesh_parameters<D> p;
-  p.vertices.resize(static_cast<std::size_t>(points.shape(0)));
-  p.facets.resize(static_cast<std::size_t>(corners.shape(0)));
-  for (std::size_t i = 0; i < p.vertices.size(); ++i)
-    for (int k = 0; k < D; ++k) p.vertices[i][k] = points(py::ssize_t(i), k);
+  for (const double* x = vertices.data(); std::ssize(p.vertices) < vertices.shape(0); x += D)
+    p.vertices.emplace_back(x);
+  p.facets.resize(static_cast<std::size_t>(facets.shape(0)));
   for (std::size_t i = 0; i < p.facets.size(); ++i) {
     for (int k = 0; k < D; ++k) {
-      const double index = corners(py::ssize_t(i), k);
+      const double index = facets.at(py::ssize_t(i), k);
       if (!(index >= 0 && index < double(p.vertices.size()) && index == std::floor(index)))
         refuse_value("facet " + std::to_string(i) +
                      " of a mesh: index of a vertex = " + std::string(py::str(py::float_(index))) +
@@ -109,74 +85,56 @@ mesh mesh_of_arrays(const py::array_t<double>& vertices, const py::array_t<doubl
       p.facets[i][static_cast<std::size_t>(k)] = static_cast<int>(index);
     }
   }
-  return mesh_of<D>(std::move(p));
+  const py::gil_scoped_release unlocked;
+  return {ph::mesh<D>(p)};
 }
 mesh mesh_from(py::handle vertices, py::handle facets) {
   const auto points = array_from(vertices, "vertices", {2}), corners = array_from(facets, "facets", {2});
-  if (points.shape(1) == 2) return mesh_of_arrays<2>(points, corners);
-  if (points.shape(1) == 3) return mesh_of_arrays<3>(points, corners);
+  if (points.shape(1) == 2) return mesh_of<2>(points, corners);
+  if (points.shape(1) == 3) return mesh_of<3>(points, corners);
   refuse_value("shape of vertices = " + std::string(py::str(points.attr("shape"))) +
                ": expected (N, 2) or (N, 3)");
 }
 
-template <class T, class Rows>
-py::array rows_as_array(const Rows& rows, int width) {
-  py::array_t<T> all({py::ssize_t(rows.size()), py::ssize_t(width)});
-  auto at = all.template mutable_unchecked<2>();
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (int k = 0; k < width; ++k) at(py::ssize_t(i), k) = rows[i][std::size_t(k)];
-  return all;
+// Rows of three numbers.
+template <class Rows>
+py::array as_array(const Rows& rows) {
+  using T = typename Rows::value_type::value_type;
+  return py::array_t<T>({std::ssize(rows), py::ssize_t(3)}, rows.empty() ? nullptr : rows.front().data());
 }
 
-// The mesh of a file, and remarks on the file.
-py::tuple read_mesh(const std::string& format, const py::bytes& path, double metres_per_unit) {
+// The vertices and facets of a file, and remarks on it.
+py::tuple read_mesh(const std::string& format, const std::string& path, double metres_per_unit) {
   const auto read = format == "stl" ? &ph::read_stl : format == "ply" ? &ph::read_ply : &ph::read_obj;
-  const std::string name = path;
   ph::mesh_file file;
   {
     const py::gil_scoped_release unlocked;
-    file = read(name, metres_per_unit);
+    file = read(path, metres_per_unit);
   }
-  return py::make_tuple(mesh_of<3>(std::move(file.mesh)), file.remarks);
+  return py::make_tuple(as_array(file.mesh.vertices), as_array(file.mesh.facets), file.remarks);
 }
 
 shape solid_of(const mesh& m) {
-  return m.visit([]<int D>(const faceted<D>& of) -> shape {
-    const ph::mesh_solid<D> solid(of.surface);
+  const auto made = []<int D>(const ph::mesh<D>& of) -> shape {
+    const ph::mesh_solid<D> solid(of);
     return {shape_in<D>{rt::any_shape<D>(solid),
                         [solid](double stiffness) { return ph::any_wall<D>(ph::wall(solid, stiffness)); }}};
-  });
+  };
+  return std::visit(made, m.held);
 }
 shape surface_of(const mesh& m, double skin, double crease_angle) {
-  return m.visit([&]<int D>(const faceted<D>& of) -> shape {
-    ph::mesh_surface_parameters<D> p{of.surface};
+  const auto made = [&]<int D>(const ph::mesh<D>& of) -> shape {
+    ph::mesh_surface_parameters<D> p{of};
     p.skin = skin;
     p.crease_angle = crease_angle;
     const ph::mesh_surface<D> surface(p);
     return {shape_in<D>{
         std::nullopt, [surface](double stiffness) { return ph::any_wall<D>(ph::wall(surface, stiffness)); }}};
-  });
+  };
+  return std::visit(made, m.held);
 }
-
-void bind_meshes(py::module_& module) {
-  py::class_<mesh>(module, "mesh")
-      .def(py::init(&mesh_from))
-      .def("vertices",
-           [](const mesh& m) {
-             return m.visit(
-                 []<int D>(const faceted<D>& of) { return rows_as_array<double>(of.given.vertices, D); });
-           })
-      .def("facets",
-           [](const mesh& m) {
-             return m.visit(
-                 []<int D>(const faceted<D>& of) { return rows_as_array<int>(of.given.facets, D); });
-           })
-      .def("plausibility", [](const mesh& m, double reach) {
-        return m.visit([&](auto& of) { return ph::plausibility(of.surface, reach); });
-      });
-  module.def("read_mesh", &read_mesh);
-  module.def("mesh_solid", &solid_of);
-  module.def("mesh_surface", &surface_of);
+std::string plausibility_of(const mesh& m, double reach) {
+  return std::visit([&](const auto& of) { return ph::plausibility(of, reach); }, m.held);
 }
 
 // ---- walls and scenes
@@ -220,21 +178,18 @@ scene held(const scene& of, double period) {
 }
 
 effect made_effect(const named& n) {
-  effect made;
-  if (n.dimension != 3)
-    made.in_the_plane = rt::find(example::catalogue().effects<2>(), n.name)->make(n.table);
-  if (n.dimension != 2) made.in_space = rt::find(example::catalogue().effects<3>(), n.name)->make(n.table);
-  return made;
+  const auto in = [&]<int D>() -> std::optional<rt::any_effect<D>> {
+    if (n.dimension == 5 - D) return {};
+    return rt::find(example::catalogue().effects<D>(), n.name)->make(n.table);
+  };
+  return {{in.operator()<2>(), in.operator()<3>()}};
 }
 
 template <int D>
 scene beside(const rt::any_scene<D>& walls, const std::vector<effect>& effects) {
   std::vector<rt::any_effect<D>> all;
   for (const effect& e : effects) {
-    const auto& one = [&]() -> const auto& {
-      if constexpr (D == 2) return e.in_the_plane;
-      else return e.in_space;
-    }();
+    const auto& one = std::get<D - 2>(e.in);
     if (!one)
       refuse_value("effect " + std::to_string(all.size()) + " of the scene has vectors of " +
                    std::to_string(5 - D) + " numbers: expected " + std::to_string(D) + ", as its walls have");
@@ -251,9 +206,17 @@ void bind_scenes(py::module_& module) {
       .def(py::init([](const named& n, const shape& of) { return made_shape(n, &of); }))
       .def("distance", &distance_at)
       .def("gradient", &gradient_at)
-      .def("dimension", [](const shape& s) { return static_cast<int>(s.in.index()) + 2; });
-  bind_meshes(module);
-  py::class_<wall>(module, "wall").def(py::init(&made_wall));
+      .def("dimension", [](const shape& s) { return s.in.index() + 2; });
+  py::class_<mesh>(module, "mesh")
+      .def(py::init(&mesh_from))
+      .def("plausibility", &plausibility_of)
+      .def("dimension", [](const mesh& m) { return m.held.index() + 2; });
+  module.def("read_mesh", &read_mesh);
+  module.def("mesh_solid", &solid_of);
+  module.def("mesh_surface", &surface_of);
+  py::class_<wall>(module, "wall").def(py::init(&made_wall)).def("dimension", [](const wall& w) {
+    return w.in.index() + 2;
+  });
   py::class_<effect>(module, "effect").def(py::init(&made_effect));
   py::class_<scene>(module, "scene").def(py::init(&made_scene)).def("dimension", [](const scene& of) {
     return of.held.index() % 2 == 1 ? 2 : 3;

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <optional>
+#include <tuple>
 #include <variant>
 
 namespace passive_haptics_python {
@@ -50,10 +51,9 @@ struct scene {
   }
 };
 
-/// An effect of the plane, of space, or of both.
+/// An effect in the plane, in space, or in both.
 struct effect {
-  std::optional<rt::any_effect<2>> in_the_plane;  ///< In the plane.
-  std::optional<rt::any_effect<3>> in_space;      ///< In space.
+  std::tuple<std::optional<rt::any_effect<2>>, std::optional<rt::any_effect<3>>> in;  ///< The effect.
 };
 
 }  // namespace passive_haptics_python

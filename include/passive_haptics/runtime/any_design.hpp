@@ -45,6 +45,7 @@ struct displayable_record {
   double angle = 0;                             ///< [rad]
   double max_force = 0;                         ///< [N]
   double max_approximated_force = 0;            ///< [N]
+  task_numbers nearest;                         ///< d [N]
   joint_numbers signs;                          ///< m
 };
 
@@ -170,6 +171,7 @@ class design_of final : public any_design {
             found.angle,
             found.max_force,
             found.max_approximated_force,
+            task_numbers(found.nearest),
             joint_numbers(found.signs)};
   }
   sink_slope_result<double> sink_slope(const path_place& at, const design_brakes& brakes,

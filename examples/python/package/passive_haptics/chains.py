@@ -1,7 +1,6 @@
 """Serial chains by their usual shapes, and their inverse kinematics."""
 
 import collections.abc
-import os
 import warnings
 
 import numpy as np
@@ -10,6 +9,7 @@ from passive_haptics import _native
 from passive_haptics.arrays import Array, Numbers, Path
 from passive_haptics.devices import mechanism, serial_chain
 from passive_haptics.results import status
+from passive_haptics.values import readable
 
 
 def planar_arm(lengths: collections.abc.Sequence[float]) -> serial_chain:
@@ -30,7 +30,7 @@ def chain_from_urdf(path: Path, base: str, tip: str, tool: Numbers = (0.0, 0.0, 
     as necessary. A chain of 2 to 4 joints that moves in one plane is planar. Warns about parts of the file that are left out.
     Raises ValueError with the file and its element, RuntimeError if the package is built without urdfdom.
     """
-    parameters, remarks = _native.chain_from_urdf(os.fspath(path), base, tip, [float(x) for x in np.asarray(tool)], balanced)
+    parameters, remarks = _native.chain_from_urdf(readable(path), base, tip, list(map(float, tool)), balanced)
     if remarks:
         warnings.warn(remarks.rstrip("\n"), stacklevel=2)
     return serial_chain(**parameters)
@@ -43,28 +43,24 @@ def nearest_pose(mechanism: mechanism, x: Numbers, start: Numbers) -> tuple[Arra
     Marquardt) of minimum norm, about 10 us each. Out of reach, the result is the nearest point that
     the steps found (status.out_of_reach).
     """
-    MOST_STEPS, ROUNDING, LEAST_DAMPING = 200, 1e-14, 1e-12
-    target, q = np.array(x, dtype=float), np.array(start, dtype=float)
+    MOST_STEPS, LEAST_DAMPING, MOST_DAMPING = 200, 1e-15, 1e6
+    target, q, damping = np.array(x, dtype=float), np.array(start, dtype=float), 1e-3
     if target.shape != (mechanism.task_dimension,):
         raise ValueError(f"passive_haptics: shape of x = {target.shape}: expected ({mechanism.task_dimension},)")
     error = target - mechanism.position(q)
     if not np.isfinite(error).all():
         return q, status.state_not_finite
-    damping = 1e-3
     for _ in range(MOST_STEPS):
-        scale = np.linalg.norm(target) + np.linalg.norm(error)
-        if np.linalg.norm(error) <= ROUNDING * scale:
-            break
         J = mechanism.jacobian(q)
         square = J @ J.T
-        damped = square + damping * max(float(np.trace(square)), LEAST_DAMPING) * np.eye(len(target))
-        step = J.T @ np.linalg.solve(damped, error)
-        after = target - mechanism.position(q + step)
-        if np.linalg.norm(after) < np.linalg.norm(error):
-            q, error, damping = q + step, after, max(damping / 10, 1e-15)
-        elif damping > 1e6:
-            break
-        else:
+        damped = square + damping * max(float(np.trace(square)), 1e-12) * np.eye(len(target))
+        further = q + J.T @ np.linalg.solve(damped, error)
+        left = target - mechanism.position(further)
+        if np.linalg.norm(left) < np.linalg.norm(error):
+            q, error, damping = further, left, max(damping / 10, LEAST_DAMPING)
+        elif damping < MOST_DAMPING:
             damping *= 10
+        else:
+            break
     reached = np.linalg.norm(error) <= 1e-9 * max(1e-3, float(np.linalg.norm(target)))
     return q, status.ok if reached else status.out_of_reach

@@ -1,9 +1,10 @@
-"""Classes of the entries of the catalogue, as text: python3 classes.py MODULE FOLDER writes catalogue.py and _native.pyi of the
-package at the build."""
+"""Classes of the entries of the catalogue, as text: python3 classes.py writes catalogue.py and _native.pyi next to itself and
+the module _native, at the build."""
 
 from __future__ import annotations
 
-import sys
+import importlib
+import pathlib
 from typing import Any
 
 ABOUT = {
@@ -51,6 +52,10 @@ from passive_haptics.arrays import Numbers, Rows
 from passive_haptics.catalogue_values import brake_model, effect, hand, law, parameter_table, shape, shape_of_shape
 from passive_haptics.devices import mechanism
 '''
+BASES = {"following_hand": "hand", "wall_following_parameters": "parameter_table"}
+"""Base classes that are not named as the list."""
+FIRST = {"hand": {"direction": "Numbers", "start": "Numbers"}, "shape_of_shape": {"shape": "shape"}}
+"""Arguments in front of the parameters, by the base class."""
 
 
 def type_of(field: dict[str, Any]) -> str:
@@ -70,7 +75,7 @@ def literal(default: Any) -> str:
     return f'float("{text}")' if text in ("inf", "-inf", "nan") else text
 
 
-def arguments(fields: list[dict[str, Any]], is_of_any_dimension: bool) -> str:
+def arguments(fields: list[dict[str, Any]], is_of_any_dimension: bool) -> list[str]:
     """The parameters of a signature; those without a default first are required."""
     parts: list[str] = []
     is_required = True
@@ -83,7 +88,7 @@ def arguments(fields: list[dict[str, Any]], is_of_any_dimension: bool) -> str:
             parts.append(f"{field['name']}: Optional[{type_of(field)}] = None")
         else:
             parts.append(f"{field['name']}: {type_of(field)} = {literal(field['default'])}")
-    return ", ".join(parts)
+    return parts
 
 
 def documentation(fields: list[dict[str, Any]], indent: str = "    ") -> str:
@@ -104,54 +109,40 @@ def documentation(fields: list[dict[str, Any]], indent: str = "    ") -> str:
     return "\n".join(lines)
 
 
-def class_text(name: str, base: str, entry: str, about: str, fields: list[dict[str, Any]], more: tuple[str, str, str]) -> str:
-    """A class. more: lines of the class, arguments in front, and what __init__ passes on."""
-    members, first, passed = more
-    given = ", ".join(part for part in ("self", first, arguments(fields, "_dimensions = (2, 3)" in members)) if part)
-    return f'''
+def class_text(native: Any, of_list: str, entry: str, about: str, dimensions: list[int]) -> tuple[str, str]:
+    """The name of a class, and its text; "" of what only a device file has: chains by their numbers, meshes of files."""
+    fields = native.fields(of_list, entry, (*dimensions, 0)[0])
+    if "_chain_" in entry or any(field["type"] == "str" for field in fields):
+        return entry, ""
+    base = BASES.get(entry) or ("shape_of_shape" if entry in native.lists()["made_of_shapes"] else of_list)
+    if all(field["type"] not in ("Numbers", "Rows", "tables") for field in fields):
+        dimensions = []
+    name, first = f"{entry}_brake" if of_list == "brake_model" else entry, FIRST.get(base, {})
+    given = ["self", *(f"{key}: {kind}" for key, kind in first.items()), *arguments(fields, len(dimensions) > 1)]
+    passed = [*first, "{" + ", ".join(f'"{field["name"]}": {field["name"]}' for field in fields) + "}"]
+    return name, f'''
 
 class {name}({base}):
     """{about}{documentation(fields)}
     """
 
     _name = "{entry}"
-{members}
-    def __init__({given}) -> None:
-        super().__init__({passed}locals())
+    _dimensions = {tuple(dimensions)}
+
+    def __init__({", ".join(given)}) -> None:
+        super().__init__({", ".join(passed)})
 '''
 
 
 def module_text(native: Any) -> str:
     """The module catalogue.py."""
-    lists, parts, names = native.lists(), [HEAD], []
-
-    def add(
-        name: str, base: str, of_list: str, entry: str, dimension: int, members: str = "", first: str = "", passed: str = ""
-    ) -> None:
-        fields = native.fields(of_list, entry, dimension)
-        if all(field["type"] != "str" for field in fields):  # a mesh of a file is a shape of a device file only
-            parts.append(class_text(name, base, entry, ABOUT.get(entry, entry), fields, (members, first, passed)))
-            names.append(name)
-
-    for entry in lists["mechanism"]:
-        if "_chain_" not in entry:  # serial_chain has them all
-            add(entry, "mechanism", "mechanism", entry, 0)
-    for entry in lists["law"]:
-        add(entry, "law", "law", entry, 0)
-    for entry, dimensions in lists["shape"].items():
-        if entry in lists["made_of_shapes"]:
-            add(entry, "shape_of_shape", "shape", entry, 2, "", "shape: shape", "shape, ")
-        else:
-            add(entry, "shape", "shape", entry, dimensions[0], f"    _dimensions = {tuple(dimensions)}\n")
-    for entry, dimensions in lists["effect"].items():
-        has_vector = any(field["type"] in ("Numbers", "Rows") for field in native.fields("effect", entry, 2))
-        add(entry, "effect", "effect", entry, 2, f"    _dimensions = {tuple(dimensions) if has_vector else ()}\n")
-    for entry in lists["brake_model"]:
-        add(f"{entry}_brake", "brake_model", "brake_model", entry, 0)
-    add("wall_following_parameters", "parameter_table", "table", "wall_following_parameters", 0)
-    add("following_hand", "hand", "table", "following_hand", 0, "", "direction: Numbers, start: Numbers", "direction, start, ")
-    shown = ", ".join(f'"{name}"' for name in names)
-    return "".join(parts) + f"\n\n__all__ = [{shown}]\n"
+    parts, names = [HEAD], []
+    for of_list in ("mechanism", "law", "shape", "effect", "brake_model", "table"):
+        for entry, dimensions in native.lists()[of_list].items():
+            name, text = class_text(native, of_list, entry, ABOUT.get(entry, entry), dimensions)
+            parts.append(text)
+            names += [f'"{name}"'] if text else []
+    return "".join(parts) + f"\n\n__all__ = [{', '.join(names)}]\n"
 
 
 def added_mechanism(name: str, about: str, module: str) -> Any:
@@ -159,7 +150,7 @@ def added_mechanism(name: str, about: str, module: str) -> Any:
     from passive_haptics import _native, catalogue
 
     scope = {**vars(catalogue), "__name__": module}
-    exec(class_text(name, "mechanism", name, about, _native.fields("mechanism", name, 0), ("", "", "")), scope)
+    exec(class_text(_native, "mechanism", name, about, [])[1], scope)
     return scope[name]
 
 
@@ -178,14 +169,6 @@ def text_of(name: str, value: int) -> str: ...
 '''
 
 
-PICKLING = '''    def to_bytes(self) -> bytes:
-        """For pickle."""
-    @staticmethod
-    def from_bytes(content: bytes) -> step_result:
-        """For pickle."""
-'''
-
-
 def stub_text(native: Any) -> str:
     """The stub of the module _native."""
     parts = [STUB]
@@ -196,8 +179,6 @@ def stub_text(native: Any) -> str:
             given = "time: float, q: Numbers, qd: Numbers, hand_force: Optional[Numbers] = None"
             parts.append(f"    def __init__(self, {given}) -> None: ...\n")
         for name, of in vars(kind).items():
-            if name == "to_bytes":
-                parts.append(PICKLING)
             if isinstance(of, property):
                 of_type, _, about = (of.__doc__ or "Any: ").partition(": ")
                 parts.append(f'    @property\n    def {name}(self) -> {of_type}:\n        """{about}"""\n')
@@ -205,13 +186,6 @@ def stub_text(native: Any) -> str:
 
 
 if __name__ == "__main__":
-    import importlib.util
-    import os
-
-    found = importlib.util.spec_from_file_location("_native", sys.argv[1])
-    assert found is not None and found.loader is not None
-    module = importlib.util.module_from_spec(found)
-    found.loader.exec_module(module)
-    for name, text in (("catalogue.py", module_text(module)), ("_native.pyi", stub_text(module))):
-        with open(os.path.join(sys.argv[2], name), "w", encoding="utf-8") as file:
-            file.write(text)
+    folder, module = pathlib.Path(__file__).parent, importlib.import_module("_native")
+    (folder / "catalogue.py").write_text(module_text(module), encoding="utf-8")
+    (folder / "_native.pyi").write_text(stub_text(module), encoding="utf-8")

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-import os
-from typing import Any, Union
+from typing import Any
 
 from passive_haptics import _native, catalogue
 from passive_haptics.arrays import Numbers, Path
@@ -13,6 +12,7 @@ from passive_haptics.controllers import controller
 from passive_haptics.devices import brakes, mechanism, serial_chain
 from passive_haptics.scenes import scene_of_device
 from passive_haptics.simulations import simulated_device
+from passive_haptics.values import readable
 
 
 @dataclasses.dataclass(frozen=True)
@@ -40,8 +40,7 @@ class device_description:
 
     def plant(self, q: Numbers, hand_mass: float = 0.5) -> simulated_device:
         """Returns a simulation of this device, at rest at q [rad or m] with the mass of a hand [kg] on its handle."""
-        of: Union[brakes, tuple[brake_model, ...]] = self.brake_models or self.brakes
-        return simulated_device(self.mechanism, of, hand_mass, q)
+        return simulated_device(self.mechanism, self.brake_models or self.brakes, hand_mass, q)
 
 
 def load(path: Path) -> device_description:
@@ -49,7 +48,7 @@ def load(path: Path) -> device_description:
 
     Sections of brake_driver, such as [port], are ignored.
     """
-    found = _native.read_device(os.fspath(path))
+    found = _native.read_device(readable(path))
     (name, parameters), (of_law, values) = found["mechanism"], found["law"]
     kind = serial_chain if "_chain_" in name else getattr(catalogue, name)
     models = (getattr(catalogue, f"{of}_brake")(**each) for of, each in found["brake_models"])

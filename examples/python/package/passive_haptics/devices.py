@@ -3,24 +3,16 @@
 from __future__ import annotations
 
 import collections.abc
-import math
-from typing import Any, Literal, Optional, Union
+from typing import Any, Literal, Optional, Union, cast
 
 import numpy as np
 
 from passive_haptics import _native
-from passive_haptics.arrays import Array, Integers, Numbers, Records, Rows
+from passive_haptics.arrays import Array, Integers, Numbers, Poses, Records, Rows
 from passive_haptics.catalogue_values import LISTS, catalogue_value, law
-from passive_haptics.progress import progress_line
-from passive_haptics.results import displayable_force, display_class, status
+from passive_haptics.results import display_class, displayable_force, of_one, status
 from passive_haptics.values import expect
 
-MAX_PLACES = 100_000_000
-"""Rows of a design map."""
-FIGURES = np.dtype(
-    [("outcome", "i4"), ("display", "i4"), *((name, "f8") for name in ("cosine", "drag", "max_force", "sink_slope", "isotropy"))]
-)
-"""A row of a design map."""
 Limits = Union[float, Numbers]
 """One number for all brakes, or one for each."""
 
@@ -56,7 +48,7 @@ class brakes(catalogue_value):
         *,
         count: Optional[int] = None,
     ) -> None:
-        given = {key: of for key, of in locals().items() if key != "count"}
+        given = {key: of for key, of in locals().items() if key not in ("self", "__class__", "count")}
         sizes = [len(of) for of in given.values() if hasattr(of, "__len__") and not isinstance(of, str)]
         if count is None and not sizes:
             raise TypeError("passive_haptics: brakes need a number for each brake, [1, 1], or count=2")
@@ -81,9 +73,7 @@ class mechanism(catalogue_value):
     """
 
     _list = "mechanism"
-
-    def _made(self) -> Any:
-        return _native.mechanism(self._named)
+    _make = _native.mechanism
 
     @property
     def dof(self) -> int:
@@ -104,33 +94,26 @@ class mechanism(catalogue_value):
         """The brakes of this device, with the parameters of the class brakes."""
         return Brakes(torque_limit, **others, count=self.brake_count)
 
-    def _brakes(self, given: Optional[Brakes], unlimited: bool = False) -> Any:
-        """The given brakes, which must fit this device; by default its default brakes, or brakes without limits."""
-        if given is None:
-            return _native.named.unlimited_brakes(self.brake_count) if unlimited else self.brakes()._held
+    def _brakes(self, given: Any) -> Any:
+        """The given brakes, which must fit this device."""
         expected = "what brakes() of the mechanism returns, for its number of brakes"
         if expect(given, Brakes, "brakes", expected).count != self.brake_count:
             raise TypeError(f"passive_haptics: brakes = {given.count} of them: expected {expected}, {self.brake_count}")
         return given._held
 
-    def position(self, q: Union[Numbers, Rows]) -> Array:
+    def position(self, q: Poses) -> Array:
         """The end effector [m], base frame: d numbers, or N rows of them."""
-        of: Array = self._held.position(q)
-        return of
+        return cast(Array, self._held.position(q))
 
-    def jacobian(self, q: Union[Numbers, Rows]) -> Array:
+    def jacobian(self, q: Poses) -> Array:
         """J in v = J qd [m/rad or 1]: d x n, or N x d x n."""
-        of: Array = self._held.jacobian(q)
-        return of
+        return cast(Array, self._held.jacobian(q))
 
-    def brake_rates(self, q: Union[Numbers, Rows], qd: Union[Numbers, Rows]) -> Array:
+    def brake_rates(self, q: Poses, qd: Poses) -> Array:
         """The rates of the brakes, w = T qd [rad/s or m/s]: m numbers, or N rows of them."""
-        of: Array = self._held.brake_rates(q, qd)
-        return of
+        return cast(Array, self._held.brake_rates(q, qd))
 
-    def inverse(
-        self, x: Union[Numbers, Rows], branch: Literal["left", "right"] = "left"
-    ) -> tuple[Array, Union[status, Integers]]:
+    def inverse(self, x: Poses, branch: Literal["left", "right"] = "left") -> tuple[Array, Union[status, Integers]]:
         """Joint positions that put the end effector at x [m], and the status, which must be status.ok.
 
         Parameters
@@ -156,21 +139,19 @@ class mechanism(catalogue_value):
         if found is None:
             kind = type(self).__name__
             raise TypeError(f"passive_haptics: a {kind} has no inverse: expected nearest_pose(mechanism, x, start)")
-        q, outcome = found
-        return q, status(int(outcome)) if outcome.ndim == 0 else outcome
+        return found[0], of_one(status, found[1])
 
     def brake_signs(
         self, q: Numbers, qd: Numbers, hand_force: Optional[Numbers] = None, brakes: Optional[Brakes] = None
     ) -> Array:
         """The signs of the brake rates; at rest, the signs of the hand's torques."""
-        of: Array = self._held.brake_signs(q, qd, hand_force, self._brakes(brakes))
-        return of
+        return cast(Array, self._held.brake_signs(q, qd, hand_force, self._brakes(brakes or self.brakes())))
 
     def recommended_law(self, brakes: Optional[Brakes] = None) -> law:
         """The recommended law for a device with a force sensor."""
         from passive_haptics import catalogue
 
-        known = self._brakes(brakes)
+        known = self._brakes(brakes or self.brakes())
         if self._held.has_inertia():
             return catalogue.velocity_direct_control()
         return catalogue.on_off_control(lead=float(np.max(known.parameters()["time_constant"])))
@@ -188,8 +169,7 @@ class mechanism(catalogue_value):
         Raises TypeError unless there are as many brakes and joints as task dimensions.
         """
         self._require_square("reference_forces")
-        found: tuple[Array, status] = self._held.reference_forces(q)
-        return found
+        return cast("tuple[Array, status]", self._held.reference_forces(q))
 
     def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
         """The force [N] nearest to the desired one that brakes with these signs can produce.
@@ -197,8 +177,7 @@ class mechanism(catalogue_value):
         Raises TypeError unless there are as many brakes and joints as task dimensions.
         """
         self._require_square("nearest_force")
-        of: Array = self._held.nearest_force(q, signs, desired_force)
-        return of
+        return cast(Array, self._held.nearest_force(q, signs, desired_force))
 
     def passive_fme(self, q: Numbers, segments: int = 32) -> list[tuple[tuple[int, int], Array]]:
         """The four passive FMEs: the signs of the torques, and the closed outline [N] as K rows of 2 numbers.
@@ -207,16 +186,9 @@ class mechanism(catalogue_value):
         """
         if self._held.sizes() != (2, 2, 2):
             raise TypeError("passive_haptics: passive_fme needs two brakes on two joints in the plane; take another mechanism")
-        found: list[tuple[tuple[int, int], Array]] = self._held.passive_fme(q, segments)
-        return found
+        return cast("list[tuple[tuple[int, int], Array]]", self._held.passive_fme(q, segments))
 
-    def displayable(
-        self,
-        q: Union[Numbers, Rows],
-        velocity: Union[Numbers, Rows],
-        normal: Union[Numbers, Rows],
-        brakes: Optional[Brakes] = None,
-    ) -> displayable_force:
+    def displayable(self, q: Poses, velocity: Poses, normal: Poses, brakes: Optional[Brakes] = None) -> displayable_force:
         """The force that the brakes can display along the normal of a wall.
 
         Parameters
@@ -228,38 +200,24 @@ class mechanism(catalogue_value):
         brakes : brakes
             Default: brakes without limits.
         """
-        outcome, display, *others = self._held.displayable(q, velocity, normal, self._brakes(brakes, True))
-        if outcome.ndim == 0:
-            angle, force, approximated, signs = others
-            return displayable_force(
-                status(int(outcome)), display_class(int(display)), float(angle), float(force), float(approximated), signs
-            )
-        return displayable_force(outcome, display, *others)
+        found, *vectors = self._held.displayable(q, velocity, normal, brakes and self._brakes(brakes))
+        kinds = {"outcome": status, "display": display_class, "angle": float, "max_force": float, "max_approximated_force": float}
+        return displayable_force(*(of_one(kind, found[name]) for name, kind in kinds.items()), *vectors)
 
     def sink_depth(
-        self,
-        q: Rows,
-        direction: Union[Numbers, Rows],
-        normal: Union[Numbers, Rows],
-        brakes: Optional[Brakes] = None,
-        push: float = 1.0,
+        self, q: Rows, direction: Poses, normal: Poses, brakes: Optional[Brakes] = None, push: float = 1.0
     ) -> float:
         """The minimum depth [m] to which a hand with this push [N] sinks along a path.
 
         q: joint positions at the middles of N >= 2 equal parts of the path, N rows; direction and normal of the wall
         there: N rows, or one vector for all.
         """
-        return float(self._held.sink_depth(q, direction, normal, self._brakes(brakes, True), push))
+        return float(self._held.sink_depth(q, direction, normal, brakes and self._brakes(brakes), push))
 
     def design_map(
-        self,
-        q: Rows,
-        direction: Union[Numbers, Rows],
-        normal: Union[Numbers, Rows],
-        brakes: Optional[Brakes] = None,
-        push: float = 1.0,
+        self, q: Poses, direction: Poses, normal: Poses, brakes: Optional[Brakes] = None, push: float = 1.0
     ) -> Records:
-        """The figures of the device at N points of a task, as an array with named fields. Ctrl-C stops it.
+        """The figures of the device at points of a task, as an array with named fields. Ctrl-C stops it.
 
         Returns
         -------
@@ -267,19 +225,7 @@ class mechanism(catalogue_value):
             outcome (status), display (display_class), cosine of gamma [1], drag per displayed newton [1],
             max_force along the normal [N], sink_slope [1] and isotropy of E [1].
         """
-        places = np.shape(q)
-        if len(places) != 2:
-            raise ValueError(f"passive_haptics: shape of q = {places}: expected (N, {self.dof}), a row for each place")
-        if places[0] > MAX_PLACES:
-            raise ValueError(
-                f"passive_haptics: number of rows of q = {places[0]}: expected at most {MAX_PLACES}; pass the places in parts"
-            )
-        if math.isnan(push):
-            raise ValueError("passive_haptics: push [N] = nan: expected a number")
-        rows: Records = np.empty(places[0], FIGURES)
-        with progress_line(places[0], "places") as shown:
-            self._held.design_map(q, direction, normal, self._brakes(brakes, True), push, rows, shown)
-        return rows
+        return cast(Records, self._held.design_map(q, direction, normal, brakes and self._brakes(brakes), push))
 
 
 class serial_chain(mechanism):
@@ -310,7 +256,7 @@ class serial_chain(mechanism):
         handle_mass: Optional[float] = None,
         gravity: Optional[Numbers] = None,
     ) -> None:
-        given = dict(locals())
+        given = {key: of for key, of in locals().items() if key not in ("self", "__class__")}
         if not hasattr(joints, "__len__") or not hasattr(handle, "__len__"):
             raise TypeError("passive_haptics: joints and handle of a serial_chain: expected a list of dicts, and a vector [m]")
         name = ("planar" if len(handle) == 2 else "spatial") + f"_chain_{len(joints)}"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 
 from passive_haptics import _native
 from passive_haptics.arrays import Path
+from passive_haptics.values import readable
 
 
 def read_log(path: Path) -> tuple[dict[str, NDArray[Any]], dict[str, str]]:
@@ -19,7 +19,5 @@ def read_log(path: Path) -> tuple[dict[str, NDArray[Any]], dict[str, str]]:
     the unit "", numbers without a unit "1". Raises ValueError with file, line and column, and OSError as
     open() does.
     """
-    name = os.fspath(path)
-    open(name, "rb").close()
-    columns, units = _native.read_log(os.fsencode(name), name)
+    columns, units = _native.read_log(readable(path))
     return {key: np.asarray(of) if units[key] else np.array(of, dtype=str) for key, of in columns.items()}, units

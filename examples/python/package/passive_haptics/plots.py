@@ -1,4 +1,4 @@
-"""Pictures of planar devices with Matplotlib: producible forces, links, maps of a workspace.
+"""Pictures of planar devices with Matplotlib: producible forces and links.
 
     from passive_haptics import plots
     axes = plots.draw_passive_fmes(arm, q, velocity=[0.05, 0.02], normal=[0, -1], desired_force=[0, -3])
@@ -18,15 +18,8 @@ from matplotlib import patheffects
 from matplotlib.patches import Polygon  # type: ignore[import]
 
 from passive_haptics.arrays import Array, Numbers
-from passive_haptics.devices import mechanism
-from passive_haptics.planar_geometry import links_of
-from passive_haptics.producible_forces import (
-    nearest_producible,
-    passive_fme,
-    passive_fmes,
-    producible_outline,
-    unit_vector,
-)
+from passive_haptics.devices import mechanism, serial_chain
+from passive_haptics.producible_forces import passive_fme, passive_fmes, producible_outline, require_planar, unit_vector
 
 Axes = Any
 """matplotlib.axes.Axes, which has no types in Debian 12."""
@@ -89,6 +82,28 @@ def draw_passive_fmes(
     return axes
 
 
+def links_of(device: mechanism, q: Numbers) -> list[Array]:
+    """The links of a planar device in a pose q [rad or m], base frame [m]: lines from each base over the joints to
+    the handle, K x 2. A slide of a chain is at the joint before it."""
+    require_planar(device, q)
+    kind, p, handle = type(device).__name__, device.parameters, device.position(q)
+    if kind == "serial_chain":
+        points, place = [], [0.0, 0.0]
+        for i, joint in enumerate(p["joints"]):  # a joint is the handle of a chain that ends there
+            place = joint["point"] if joint["kind"] == "revolute" else place
+            points.append(serial_chain(p["joints"], place).position(np.where(np.arange(len(q)) < i, q, 0)))
+        return [np.array([*points, handle])]
+    if kind == "xy_table":
+        return [np.array([[0, 0], [q[0], 0], handle])]
+    if kind not in ("two_link", "tendon_two_link", "five_bar", "five_bar_with_four_brakes"):
+        raise ValueError(f"passive_haptics: device = {kind}: expected a planar device of the package")
+    along = np.array([np.cos(q), np.sin(q)]).T
+    if "two_link" in kind:
+        return [np.array([[0, 0], p["length_1"] * along[0], handle])]
+    bases = np.array([[-0.5, 0.0], [0.5, 0.0]]) * p["base_distance"]
+    return [np.array([bases[i], bases[i] + p[f"proximal_{i + 1}"] * along[i], handle]) for i in range(2)]
+
+
 def draw_device(device: mechanism, q: Numbers, axes: Axes | None = None, *, colour: str = INK) -> Axes:
     """Draws a planar device at joint positions q [rad or m], to scale: links, joints, bases and handle.
 
@@ -125,26 +140,6 @@ def draw_arrow(axes: Axes, vector: Numbers, colour: str, label: str) -> Axes:
     return axes
 
 
-def draw_map(
-    x: Array,
-    y: Array,
-    values: Array,
-    axes: Axes | None = None,
-    *,
-    label: str,
-    limits: tuple[Optional[float], Optional[float]] = (None, None),
-) -> Axes:
-    """Draws values at the points x, y [m] of numpy.meshgrid, and a colour bar with a label, such as
-    "angle [deg]", and limits. Points that are not finite are grey."""
-    axes = _prepared(axes, "x [m]", "y [m]")
-    axes.set_facecolor(GROUND)
-    of_places = np.reshape(values, np.shape(x))
-    low, high = limits
-    mesh = axes.pcolormesh(x, y, of_places, cmap="cividis", vmin=low, vmax=high, shading="nearest", zorder=1)
-    axes.figure.colorbar(mesh, cax=axes.inset_axes([1.03, 0, 0.04, 1]), label=label)
-    return axes
-
-
 def _prepared(axes: Axes | None, x_label: str, y_label: str) -> Axes:
     """Axes of equal scales with labels, a new figure's if there are none."""
     if axes is None:
@@ -175,7 +170,8 @@ def _draw_forces(
     draw_arrow(axes, scale * length * direction, DESIRED, f"$F_d$ {length:.3g} N")
     if velocity is None:
         return
-    nearest, angle = nearest_producible(device, q, velocity, desired)
+    found = device.displayable(q, velocity, desired)
+    nearest = length * math.cos(found.angle) ** 2 * found.nearest
     made = float(np.linalg.norm(nearest))
-    name = f"nearest {made:.3g} N, {math.degrees(angle):.0f}° off" if made > 0 else "no force is near"
+    name = f"nearest {made:.3g} N, {math.degrees(found.angle):.0f}° off" if made > 0 else "no force is near"
     draw_arrow(axes, scale * nearest, DISPLAYED, name)

@@ -50,10 +50,10 @@ def _along(angle: Array | float) -> Array:
     return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
 
 
-def _require_planar(device: mechanism, q: Numbers) -> None:
+def require_planar(device: mechanism, q: Numbers) -> None:
+    """Raises ValueError unless the device is planar and can take the pose q."""
     if device.task_dimension != 2:
-        kind = type(device).__name__
-        raise ValueError(f"passive_haptics: device = {kind}: expected a planar device")
+        raise ValueError(f"passive_haptics: device = {type(device).__name__}: expected a planar device")
     if not (np.all(np.isfinite(device.position(q))) and np.all(np.isfinite(device.jacobian(q)))):
         raise ValueError(f"passive_haptics: q = {list(q)}: expected a pose that the device can take")
 
@@ -63,57 +63,32 @@ def _usual_force(device: mechanism, q: Numbers) -> float:
     return float(1 / np.linalg.norm(device.jacobian(q), axis=0).max())
 
 
-def _displayable(
-    device: mechanism, q: Numbers, velocity: Array | Numbers, angles: Array, limited: Optional[brakes]
-) -> displayable_force:
-    """Along each of these directions [rad]."""
-    return device.displayable(np.tile(q, (len(angles), 1)), velocity, _along(angles), limited)
-
-
-def _nearest_directions(
-    device: mechanism, q: Numbers, velocity: Numbers, angles: Array, limited: Optional[brakes]
-) -> Array:
-    """The direction [rad] of the force nearest to that along each of these; NaN where there is none."""
-    found = _displayable(device, q, velocity, angles, limited)
-    left, right = angles + found.angle, angles - found.angle
-    off_left, off_right = (_displayable(device, q, velocity, side, limited).angle for side in (left, right))
-    return np.where(found.display == display_class.none, np.nan, np.where(off_left <= off_right, left, right))
-
-
-def nearest_producible(
-    device: mechanism, q: Numbers, velocity: Numbers, desired_force: Numbers
-) -> tuple[Array, float]:
-    """The force [N] nearest to the desired one that brakes without limits can produce while the handle moves
-    with a velocity (only its direction matters), and the angle between them [rad]; (0, pi / 2) if there is
-    none."""
-    _require_planar(device, q)
-    Fd, n = np.asarray(desired_force, dtype=float), unit_vector(desired_force, "desired_force")
-    angle = math.atan2(n[1], n[0])
-    nearest = float(_nearest_directions(device, q, velocity, np.array([angle]), None)[0])
-    if math.isnan(nearest):
-        return np.zeros(2), math.pi / 2
-    direction = _along(nearest)
-    return Fd if nearest == angle else float(Fd @ direction) * direction, abs(nearest - angle)
-
-
 def producible_outline(device: mechanism, q: Numbers, velocity: Numbers) -> Array:
     """The closed outline [N], K x 2, of the forces that brakes of 1 N m (1 N on slides) can produce along each
     direction by force approximation, while the handle moves with a velocity (only its direction matters).
 
     Each direction from 0 occurs once.
     """
-    _require_planar(device, q)
+    require_planar(device, q)
     limited = device.brakes(torque_limit=1.0)
-    edges = _nearest_directions(device, q, velocity, ANGLES[::10], limited)
-    angles = np.unique(np.concatenate([ANGLES, edges[np.isfinite(edges)] % (2 * math.pi)]))
+    nearest = _displayable(device, q, velocity, ANGLES[::10], limited).nearest
+    edges = np.arctan2(nearest[:, 1], nearest[:, 0])[nearest.any(axis=1)]
+    angles = np.unique(np.concatenate([ANGLES, edges % (2 * math.pi)]))
     found = _displayable(device, q, velocity, angles, limited)
-    radii = np.where(found.angle < EDGE, found.max_approximated_force, 0.0)  # pi / 2 where there is no force
+    radii = np.where(np.asarray(found.angle) < EDGE, found.max_approximated_force, 0.0)  # pi / 2 where there is no force
     usual = _usual_force(device, q)
     if np.any(radii > HELD * usual):
         radii = np.minimum(radii, CUT * usual)
     is_kept = (radii > 0) | (np.roll(radii, 1) > 0) | (np.roll(radii, -1) > 0)
     outline = (radii[:, None] * _along(angles))[is_kept]
     return np.concatenate([outline, outline[:1]])
+
+
+def _displayable(
+    device: mechanism, q: Numbers, velocity: Numbers, angles: Array, limited: Optional[brakes] = None
+) -> displayable_force:
+    """Along each of these directions [rad]."""
+    return device.displayable(np.tile(q, (len(angles), 1)), velocity, _along(angles), limited)
 
 
 def passive_fmes(device: mechanism, q: Numbers) -> list[passive_fme]:
@@ -124,7 +99,7 @@ def passive_fmes(device: mechanism, q: Numbers) -> list[passive_fme]:
     approximation divides them, one region for each set of brake signs. A region that spans less than 5 degrees
     may be missed.
     """
-    _require_planar(device, q)
+    require_planar(device, q)
     if device.dof == device.brake_count == 2:
         forces, outcome = device.reference_forces(q)
         if outcome == status.ok and np.linalg.norm(forces, axis=0).max() < HELD * _usual_force(device, q):
@@ -138,5 +113,5 @@ def passive_fmes(device: mechanism, q: Numbers) -> list[passive_fme]:
 
 def _shown_in_motion(device: mechanism, q: Numbers, velocity: Array) -> bytes:
     """The signs of the brakes in each direction in which a force can be displayed."""
-    found = _displayable(device, q, velocity, ANGLES[::10], None)
+    found = _displayable(device, q, velocity, ANGLES[::10])
     return np.where(np.asarray(found.display == display_class.exact)[:, None], found.signs, 0).tobytes()

@@ -46,22 +46,13 @@ class python_mechanism(mechanism):
         check: bool = True,
     ) -> None:
         given = {key: of for key, of in locals().items() if key not in ("self", "__class__") and of is not None}
-        functions = {key: of for key, of in given.items() if key not in ("dof", "task_dimension", "check")}
-        for key, of in functions.items():
-            if not callable(of):
+        for key, of in given.items():
+            if key not in ("dof", "task_dimension", "check") and not callable(of):
                 what = "q and qd" if key.startswith("bias") else "q"
                 raise TypeError(f"passive_haptics: {key} = {of!r} ({type(of).__name__}): expected a function of {what}")
-        for key in ("dof", "task_dimension"):
-            if isinstance(given[key], bool) or not isinstance(given[key], int):
-                raise TypeError(f"passive_haptics: {key} = {given[key]!r}: expected a whole number")
-        inertia = ("mass_matrix", "bias_torque", "bias_acceleration")
-        for key in inertia:
-            if key not in functions and any(other in functions for other in inertia):
-                raise TypeError(
-                    f"passive_haptics: {key} = None: expected a function: inertia takes {', '.join(inertia)}, all or none"
-                )
-        if not isinstance(check, bool):
-            raise TypeError(f"passive_haptics: check = {check!r} ({type(check).__name__}): expected True or False")
+        inertia = (mass_matrix, bias_torque, bias_acceleration)
+        if None in inertia and inertia != (None, None, None):
+            raise TypeError("passive_haptics: mass_matrix, bias_torque, bias_acceleration: expected all three or none of them")
         self._parameters = given if not check else {key: of for key, of in given.items() if key != "check"}
         self._held = _native.python_mechanism(
             dof, task_dimension, position, jacobian, mass_matrix, bias_torque, bias_acceleration, not check

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import enum
 import typing
-from typing import Union
+from typing import Any, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from passive_haptics import _native
 from passive_haptics.arrays import Array, Integers
@@ -17,6 +18,11 @@ class _in_words(enum.IntEnum):
     def text(self) -> str:
         """The value in words."""
         return _native.text_of(type(self).__name__, self.value)
+
+
+def of_one(kind: type[Any], numbers: NDArray[Any]) -> Any:
+    """The number of a single pose as this type; the array of several as it is."""
+    return kind(numbers.item()) if numbers.ndim == 0 else numbers
 
 
 class status(_in_words):
@@ -79,6 +85,8 @@ class displayable_force(typing.NamedTuple):
     """The maximum along the normal [N] of all forces."""
     max_approximated_force: Union[float, Array]
     """The maximum along the normal [N] of the nearest force."""
+    nearest: Array
+    """The nearest force with 1 N along the normal [N], d or N x d; 0 if nothing is displayed."""
     signs: Array
     """s of the brakes in this motion, m or N x m."""
 

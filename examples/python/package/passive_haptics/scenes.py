@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import collections.abc
-import os
-from typing import Any, Optional, Union
+from typing import Any, Union, cast
 
 import numpy as np
 
 from passive_haptics import _native
 from passive_haptics.arrays import Array, Integers, Path, Rows
-from passive_haptics.catalogue_values import effect, shape
-from passive_haptics.values import expect, number, value
+from passive_haptics.catalogue_values import dimensional, effect, shape
+from passive_haptics.values import expect, number, readable
 
 LARGEST_SHOWN = 20
 """Vertices or facets of a mesh, with a repr of all of them."""
 
 
-class mesh(value):
+class mesh(dimensional):
     """A constant surface of triangles (spatial) or segments (planar).
 
     Parameters
@@ -36,65 +35,42 @@ class mesh(value):
 
     def __init__(self, vertices: Rows, facets: Rows) -> None:
         self._held = _native.mesh(vertices, facets)
-
-    def _set(self, held: Any) -> mesh:
-        self._held = held
-        return self
+        self._parameters = {"vertices": np.array(vertices, dtype=float), "facets": np.array(facets, dtype=np.int32)}
+        for of in self._parameters.values():
+            of.flags.writeable = False
 
     @property
     def vertices(self) -> Array:
-        """A copy of the vertices, N x d [m]."""
-        of: Array = self._held.vertices()
-        return of
+        """The vertices, N x d [m], read-only."""
+        return cast(Array, self._parameters["vertices"])
 
     @property
     def facets(self) -> Integers:
-        """A copy of the indices of vertices, M x d."""
-        of: Integers = self._held.facets()
-        return of
-
-    @property
-    def dimension(self) -> int:
-        """2 in the plane, 3 in space."""
-        return int(self.vertices.shape[1])
+        """The indices of vertices, M x d, read-only."""
+        return cast(Integers, self._parameters["facets"])
 
     def plausibility(self, reach: float) -> str:
         """A line for each implausible property, for a device of this reach [m]; "" if there is none."""
         return str(self._held.plausibility(number(reach, "reach")))
-
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of the vertices and facets."""
-        return {"vertices": self.vertices, "facets": self.facets}
 
     def __len__(self) -> int:
         """The number of facets."""
         return len(self.facets)
 
     def __repr__(self) -> str:
-        vertices, facets = self.vertices, self.facets
-        if max(len(vertices), len(facets)) > LARGEST_SHOWN:
-            return f"mesh(<{len(vertices)} vertices>, <{len(facets)} facets>)"
-        return f"mesh({vertices.tolist()}, {facets.tolist()})"
+        if max(len(self.vertices), len(self.facets)) > LARGEST_SHOWN:
+            return f"mesh(<{len(self.vertices)} vertices>, <{len(self.facets)} facets>)"
+        return f"mesh({self.vertices.tolist()}, {self.facets.tolist()})"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, mesh):
             return NotImplemented
         return np.array_equal(self.vertices, other.vertices) and np.array_equal(self.facets, other.facets)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return mesh, (self.vertices, self.facets)
-
 
 def _read(form: str, path: Path, metres_per_unit: float) -> tuple[mesh, str]:
-    try:
-        name = os.fsencode(path)
-    except TypeError:
-        raise TypeError(f"passive_haptics: path = {path!r}: expected the name of a file, a str or an os.PathLike") from None
-    if b"\0" in name:
-        raise ValueError(f"passive_haptics: path = {path!r}: expected the name of a file, which has no zero byte")
-    held, remarks = _native.read_mesh(form, name, number(metres_per_unit, "metres_per_unit"))
-    return mesh.__new__(mesh)._set(held), remarks
+    vertices, facets, remarks = _native.read_mesh(form, readable(path), number(metres_per_unit, "metres_per_unit"))
+    return mesh(vertices, facets), remarks
 
 
 def read_stl(path: Path, metres_per_unit: float = 1.0) -> tuple[mesh, str]:
@@ -130,7 +106,7 @@ class mesh_solid(shape):
         self._held = _native.mesh_solid(surface._held)
 
 
-class mesh_surface(value):
+class mesh_surface(dimensional):
     """A closed or open mesh that stops the handle from its front side, at any depth. A scene with one is a
     world.
 
@@ -149,13 +125,8 @@ class mesh_surface(value):
         self._parameters = {"surface": surface, **numbers}
         self._held = _native.mesh_surface(surface._held, skin, crease_angle)
 
-    @property
-    def dimension(self) -> int:
-        """2 in the plane, 3 in space."""
-        return int(self._held.dimension())
 
-
-class wall(value):
+class wall(dimensional):
     """A shape that resists with stiffness [N/m] times depth."""
 
     def __init__(self, shape: Union[shape, mesh_surface], stiffness: float = 1e7) -> None:
@@ -164,22 +135,22 @@ class wall(value):
         self._parameters = {"shape": shape, "stiffness": number(stiffness, "stiffness")}
         self._held = _native.wall(shape._held, stiffness)
 
-    @property
-    def dimension(self) -> int:
-        """2 in the plane, 3 in space."""
-        return int(self._parameters["shape"].dimension)
-
 
 _shape = shape
 
 
-class _any_scene(value):
+class _any_scene(dimensional):
     """The members of all scenes."""
 
-    @property
-    def dimension(self) -> int:
-        """2 in the plane, 3 in space."""
-        return int(self._held.dimension())
+    def _arguments(self) -> tuple[Any, ...]:
+        """All parameters by their order, those of *walls or *effects one by one."""
+        return tuple(each for of in self._parameters.values() for each in (of if isinstance(of, tuple) else (of,)))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(map(repr, self._arguments()))})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), self._arguments()
 
 
 def _scene_of(kind: str, walls: collections.abc.Sequence[Any], is_world: bool) -> Any:
@@ -199,14 +170,8 @@ class scene(_any_scene):
     """Walls, numbered from 0. Several walls, or a mesh_surface, become a world."""
 
     def __init__(self, *walls: wall) -> None:
-        self._held = _scene_of(type(self).__name__, walls, False)
+        self._held = _scene_of("scene", walls, False)
         self._parameters = {"walls": walls}
-
-    def __repr__(self) -> str:
-        return f"scene({', '.join(map(repr, self._parameters['walls']))})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), self._parameters["walls"]
 
 
 class world(_any_scene):
@@ -217,10 +182,8 @@ class world(_any_scene):
     """
 
     def __init__(self, walls: collections.abc.Sequence[wall]) -> None:
-        if not isinstance(walls, (list, tuple)):
-            raise TypeError(f"passive_haptics: walls = {walls!r} ({type(walls).__name__}): expected a list of walls")
-        self._held = _scene_of(type(self).__name__, walls, True)
         self._parameters = {"walls": list(walls)}
+        self._held = _scene_of("world", self._parameters["walls"], True)
 
 
 class held_scene(_any_scene):
@@ -228,11 +191,9 @@ class held_scene(_any_scene):
     the control loop. 0 samples in each cycle."""
 
     def __init__(self, scene: _any_scene, period: float) -> None:
-        of = expect(scene, _any_scene, "scene", "a scene: held_scene(scene(wall(shape, stiffness)), period)")
-        if isinstance(of, held_scene):
-            raise TypeError("passive_haptics: scene of a held_scene is a held_scene: expected one that is not held")
-        self._held = _native.held_scene(of._held, number(period, "period"))
-        self._parameters = {"scene": of, "period": number(period, "period")}
+        expect(scene, _any_scene, "scene", "a scene: held_scene(scene(wall(shape, stiffness)), period)")
+        self._parameters = {"scene": scene, "period": number(period, "period")}
+        self._held = _native.held_scene(scene._held, period)
 
 
 class with_effects(_any_scene):
@@ -244,19 +205,13 @@ class with_effects(_any_scene):
     """
 
     def __init__(self, scene: _any_scene, *effects: effect) -> None:
-        of = expect(scene, _any_scene, "scene", "a scene: with_effects(scene(wall(shape, stiffness)), effect, ...)")
+        expect(scene, _any_scene, "scene", "a scene: with_effects(scene(wall(shape, stiffness)), effect, ...)")
         if not effects:
             raise TypeError("passive_haptics: with_effects needs an effect: with_effects(scene, effect, ...)")
         for i, each in enumerate(effects):
             expect(each, effect, f"effect {i} of a scene", "an effect such as viscous_field(viscosity)")
-        self._held = _native.with_effects(of._held, [each._held for each in effects])
-        self._parameters = {"scene": of, "effects": effects}
-
-    def __repr__(self) -> str:
-        return f"with_effects({', '.join(map(repr, self.__reduce__()[1]))})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self._parameters["scene"], *self._parameters["effects"])
+        self._held = _native.with_effects(scene._held, [each._held for each in effects])
+        self._parameters = {"scene": scene, "effects": effects}
 
 
 class scene_of_device(_any_scene):

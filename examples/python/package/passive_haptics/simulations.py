@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import collections.abc
-from typing import Any, Optional, Union
+from typing import Any, Optional, Union, cast
 
 import numpy as np
 
@@ -13,7 +13,6 @@ from passive_haptics.catalogue import coulomb_brake, following_hand, wall_follow
 from passive_haptics.catalogue_values import brake_model, shape
 from passive_haptics.controllers import controller
 from passive_haptics.devices import brakes, mechanism
-from passive_haptics.progress import progress_line
 from passive_haptics.results import contact_metrics
 from passive_haptics.values import expect, number, value
 
@@ -59,36 +58,32 @@ class simulated_device(value):
     @property
     def q(self) -> Array:
         """Joint positions now [rad or m]."""
-        return self._now("q")
+        return cast(Array, self._held.q())
 
     @property
     def qd(self) -> Array:
         """Joint rates now [rad/s or m/s]."""
-        return self._now("qd")
+        return cast(Array, self._held.qd())
 
     @property
     def position(self) -> Array:
         """The handle now [m]."""
-        return self._now("position")
+        return cast(Array, self._held.position())
 
     @property
     def velocity(self) -> Array:
         """The handle's velocity [m/s]."""
-        return self._now("velocity")
+        return cast(Array, self._held.velocity())
 
     @property
     def sensed_force(self) -> Array:
         """Force of the hand on the handle in the last step [N]."""
-        return self._now("sensed_force")
+        return cast(Array, self._held.sensed_force())
 
     @property
     def brake_torque(self) -> Array:
         """Mean torque of the brakes in the last step [N m]."""
-        return self._now("brake_torque")
-
-    def _now(self, name: str) -> Array:
-        of: Array = getattr(self._held, name)()
-        return of
+        return cast(Array, self._held.brake_torque())
 
 
 _mechanism = mechanism
@@ -100,18 +95,11 @@ def _models(device: mechanism, given: Any) -> list[Any]:
         device._brakes(given)
         p = given.parameters
         if np.isfinite(p["torque_lower"]).any() or np.isfinite(p["torque_upper"]).any():
-            raise ValueError(
-                "passive_haptics: brakes of a simulated_device have a torque_lower or torque_upper: expected brakes that work "
-                "both ways, or a list of brake models; a controller commands those that are off nothing"
-            )
-        return [coulomb_brake(torque_limit=limit, time_constant=lag) for limit, lag in zip(p["torque_limit"], p["time_constant"])]
-    if not isinstance(given, (list, tuple)):
-        expect(given, brakes, "brakes", "what brakes() of the mechanism returns, or a list of brake models")
+            raise ValueError("passive_haptics: brakes of a simulated_device: expected brakes that work both ways, or brake models")
+        return [coulomb_brake(torque_limit=t, time_constant=lag) for t, lag in zip(p["torque_limit"], p["time_constant"])]
+    expect(given, (list, tuple), "brakes", "what brakes() of the mechanism returns, or a list of brake models")
     if len(given) != device.brake_count:
-        raise ValueError(
-            f"passive_haptics: number of brakes = {len(given)}: expected {device.brake_count}, a model for each brake of the "
-            "mechanism"
-        )
+        raise ValueError(f"passive_haptics: number of brakes = {len(given)}: expected {device.brake_count} models")
     return [expect(each, brake_model, f"brakes[{i}]", "a brake model such as coulomb_brake()") for i, each in enumerate(given)]
 
 
@@ -132,9 +120,9 @@ def follow_wall(
     Returns
     -------
     metrics, samples
-        Figures of the run. If record is true, samples has a row for each time step: time [s], depth [m], position [m], velocity [m/s],
-        rates of the brakes, brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control
-        cycle capacity [N m], alpha, outcome, power, display, saturated and wall_number.
+        Figures of the run. If record is true, samples has a row for each time step: time [s], depth [m], position [m],
+        velocity [m/s], rates of the brakes, brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the
+        latest control cycle capacity [N m], alpha, outcome, power, display, saturated and wall_number.
     """
     expect(device, simulated_device, "device", "a simulated_device")
     expect(controller, _controller, "controller", "a controller(mechanism, brakes, scene, law)")
@@ -146,22 +134,13 @@ def follow_wall(
     n, d, m = of._held.sizes()
     if controller._held.sizes() != (n, d, m):
         raise ValueError("passive_haptics: controller is of another mechanism: expected one of the device's sizes")
-    if shape.dimension != d:
-        raise ValueError(
-            f"passive_haptics: shape has dimension {shape.dimension}: expected {d}, the task dimension of the device"
-        )
-    p = hand.parameters
-    with progress_line(round(1e3 * parameters.parameters["max_duration"]), "ms at most") as shown:
-        metrics, numbers = _native.follow_wall(
-            of._held, device._held, controller._held, shape._held, hand._held, p["direction"], p["start"], parameters._held,
-            record, lambda time: shown(round(1e3 * time)),
-        )  # fmt: skip
-    widths = {"position": d, "velocity": d, "rates": m, "brake_torque": m, "brake_power": m, "hand_force": d}
-    widths |= {"brake_force": d, "capacity": m}
-    row: list[Any] = [("time", "f8"), ("depth", "f8"), *((name, "f8", (width,)) for name, width in widths.items())]
-    row += [("alpha", "f8")]
-    row += [(name, "i8") for name in ("outcome", "power", "display", "saturated", "wall_number")]
-    return metrics, numbers.view(np.dtype(row))
+    metrics, numbers = _native.follow_wall(
+        of._held, device._held, controller._held, shape._held, hand._held, parameters._held, record
+    )
+    widths = {"time": (), "depth": (), "position": d, "velocity": d, "rates": m, "brake_torque": m, "brake_power": m}
+    widths |= {"hand_force": d, "brake_force": d, "capacity": m, "alpha": ()}
+    whole = [(name, "i8") for name in ("outcome", "power", "display", "saturated", "wall_number")]
+    return metrics, numbers.view([*((name, "f8", width) for name, width in widths.items()), *whole])
 
 
 _controller = controller

@@ -9,15 +9,20 @@ import operator
 import os
 import pickle
 import sqlite3
+import sys
+import time
 from concurrent.futures import Executor
 from contextlib import closing, contextmanager
 from typing import Any, TypeVar
 
 from passive_haptics.arrays import Path
-from passive_haptics.progress import progress_line
 from passive_haptics.tasks import Experiment, completed_outcomes, run_task
 
 Result = TypeVar("Result")
+AFTER = 2.0
+"""A call that takes longer shows its progress [s]."""
+BETWEEN = 0.2
+"""Between two updates [s]."""
 
 
 class sweep_error(RuntimeError):
@@ -87,7 +92,7 @@ def sweep(
         starts = range(0, len(missing), experiments_per_task)
         tasks = [tuple(missing[i : i + experiments_per_task]) for i in starts]
         completed = completed_outcomes(function, tasks, executor)
-        with closing(completed), progress_line(len(missing), "experiments", progress) as shown:
+        with closing(completed), _progress_line(len(missing), progress) as shown:
             for outcomes in completed:
                 new = {of.item: of.result for of in outcomes if of.result is not None}
                 with stored:
@@ -134,6 +139,30 @@ def _results_in(file: Path | None) -> collections.abc.Iterator[sqlite3.Connectio
             text = f"passive_haptics: file = {name}: {error}: expected a new file or one of a sweep"
             raise ValueError(text) from None
         yield results
+
+
+@contextmanager
+def _progress_line(total: int, wanted: bool | None) -> collections.abc.Iterator[collections.abc.Callable[[int], None]]:
+    """A function that shows the number of finished experiments on stderr, with the time that the others will take."""
+    is_wanted = sys.stderr.isatty() if wanted is None else wanted
+    start, latest, width = time.monotonic(), 0.0, 0
+
+    def reach(done: int) -> None:
+        nonlocal latest, width
+        now = time.monotonic()
+        if not is_wanted or now - start < AFTER or (now - latest < BETWEEN and done < total):
+            return
+        text = f"{done} of {total} experiments"
+        if done:
+            text += f", {(now - start) * (total - done) / done:.0f} s left"
+        print("\r" + text.ljust(width), end="", file=sys.stderr, flush=True)
+        latest, width = now, len(text)
+
+    try:
+        yield reach
+    finally:
+        if width:
+            print(file=sys.stderr)
 
 
 def _require_unchanged(

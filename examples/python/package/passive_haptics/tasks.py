@@ -9,8 +9,7 @@ import pickle
 import signal
 import traceback
 import typing
-from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ProcessPoolExecutor
-from concurrent.futures import as_completed
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, as_completed
 from typing import Any, Optional
 
 PR_SET_PDEATHSIG = 1
@@ -45,12 +44,22 @@ def run_task(function: Experiment, task: Task) -> list[outcome]:
 def completed_outcomes(
     function: Experiment, tasks: list[Task], executor: Executor | None
 ) -> collections.abc.Generator[list[outcome], None, None]:
-    """The outcomes of tasks, in order of completion."""
-    if executor is None:
-        yield from _by_processes(function, tasks)
-    else:
-        for task, future in _by_executor(executor, function, tasks):
-            yield _outcomes_of(task, future)
+    """The outcomes of tasks, in order of completion; by processes of this machine if there is no executor. If one of
+    these dies, the tasks that may have been its own run by themselves, and a new pool goes on."""
+    if executor is not None:
+        yield from (_outcomes_of(task, future) for task, future in _by_executor(executor, function, tasks))
+        return
+    left = dict.fromkeys(tasks)
+    while left:
+        workers = min(len(os.sched_getaffinity(0)), len(left))
+        with ProcessPoolExecutor(workers, initializer=_end_with_parent) as pool:
+            for task, future in _by_executor(pool, function, list(left)):
+                if not isinstance(future.exception(), BrokenExecutor):
+                    del left[task]
+                    yield _outcomes_of(task, future)
+        for task in list(left)[: 2 * workers]:
+            del left[task]
+            yield from _alone(function, task)
 
 
 def _by_executor(
@@ -75,27 +84,10 @@ def _submitted(executor: Executor, function: Experiment, task: Task) -> Future[l
 
 
 def _outcomes_of(task: Task, future: Future[list[outcome]]) -> list[outcome]:
-    error = CancelledError("the task was cancelled") if future.cancelled() else future.exception()
-    if error is None:
+    try:
         return future.result()
-    text = "".join(traceback.format_exception(type(error), error, error.__traceback__))
-    return [outcome(item, None, text) for item in task]
-
-
-def _by_processes(function: Experiment, tasks: list[Task]) -> collections.abc.Iterator[list[outcome]]:
-    """Tasks by processes of this machine. If one of them dies, the tasks that may have been its own run by
-    themselves, and a new pool goes on."""
-    left = dict.fromkeys(tasks)
-    while left:
-        workers = min(len(os.sched_getaffinity(0)), len(left))
-        with ProcessPoolExecutor(workers, initializer=_end_with_parent) as pool:
-            for task, future in _by_executor(pool, function, list(left)):
-                if not isinstance(future.exception(), BrokenExecutor):
-                    del left[task]
-                    yield _outcomes_of(task, future)
-        for task in list(left)[: 2 * workers]:
-            del left[task]
-            yield from _alone(function, task)
+    except Exception:
+        return [outcome(item, None, traceback.format_exc()) for item in task]
 
 
 def _alone(function: Experiment, task: Task) -> collections.abc.Iterator[list[outcome]]:

@@ -5,44 +5,25 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
-import math
+import os
 import sys
 import warnings
-from collections.abc import Callable
-from typing import Any, ClassVar, TypeVar, cast
+from typing import Any
 
 import numpy as np
 
-
-def same(a: Any, b: Any) -> bool:
-    """True if two parameters are equal; NaN equals itself."""
-    if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(same(value, b[key]) for key, value in a.items())
-    if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
-        return len(a) == len(b) and all(map(same, a, b))
-    if isinstance(a, float) and isinstance(b, float) and math.isnan(a):
-        return math.isnan(b)
-    return bool(a == b)
-
-
-def restored(kind: type[Any], base: type[Any], parameters: dict[str, Any]) -> Any:
-    """A value of a class, of which `base` takes the parameters."""
-    made = object.__new__(kind)
-    base.__init__(made, **parameters)
-    return made
+from passive_haptics.arrays import Path
 
 
 class value:
     """An immutable value with parameters; equal to another of its class with equal parameters."""
 
-    _base: ClassVar[type[Any]]
     _parameters: dict[str, Any]
     _held: Any
 
     def __init_subclass__(cls) -> None:
         init = vars(cls).get("__init__")
         if init is not None and ("_name" in vars(cls) or init.__module__.startswith("passive_haptics.")):  # of no user
-            cls._base = cls
             setattr(cls, "__init__", with_suggestions(init))
 
     def __getattr__(self, name: str) -> Any:
@@ -60,36 +41,31 @@ class value:
         return f"{type(self).__name__}({', '.join(f'{key}={of!r}' for key, of in self._parameters.items())})"
 
     def __eq__(self, other: object) -> bool:
-        mine = self._parameters
         if type(self) is not type(other):
             return NotImplemented
-        return same(mine, other._parameters)  # type: ignore[attr-defined]
+        return bool(self._parameters == other._parameters)  # type: ignore[attr-defined]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return restored, (type(self), self._base, self._parameters)
+        return functools.partial(type(self), **self._parameters), ()
 
 
-F = TypeVar("F", bound=Callable[..., Any])
-
-
-def with_suggestions(function: F) -> F:
-    """A method with errors about unknown keywords that list the parameters and suggest the nearest."""
-    kinds = inspect.signature(function).parameters.values()
+def with_suggestions(init: Any) -> Any:
+    """An __init__ with errors about unknown keywords that list the parameters and suggest the nearest."""
+    kinds = inspect.signature(init).parameters.values()
     names = [of.name for of in kinds if of.kind in (of.POSITIONAL_OR_KEYWORD, of.KEYWORD_ONLY)][1:]
 
-    @functools.wraps(function)
-    def call(self: Any, *args: Any, **kwargs: Any) -> Any:
+    @functools.wraps(init)
+    def call(self: Any, *args: Any, **kwargs: Any) -> None:
         for key in kwargs:
             if key not in names:
-                owner = type(self).__name__ if function.__name__ == "__init__" else function.__name__
                 near = difflib.get_close_matches(key, names, 1)
                 raise TypeError(
-                    f"passive_haptics: {owner} has no parameter {key!r}: expected {', '.join(names) or 'none'}"
+                    f"passive_haptics: {type(self).__name__} has no parameter {key!r}: expected {', '.join(names) or 'none'}"
                     + (f"; did you mean {near[0]}?" if near else "")
                 )
-        return function(self, *args, **kwargs)
+        init(self, *args, **kwargs)
 
-    return cast(F, call)
+    return call
 
 
 def warn(text: str) -> None:
@@ -107,7 +83,14 @@ def number(x: Any, name: str) -> float:
     return float(x)
 
 
-def expect(thing: Any, kind: type[Any], name: str, expected: str) -> Any:
+def readable(path: Path) -> bytes:
+    """The name of a file for C++. Raises OSError as open() does if it cannot be read."""
+    name = os.fsencode(path)
+    open(name, "rb").close()
+    return name
+
+
+def expect(thing: Any, kind: type[Any] | tuple[type[Any], ...], name: str, expected: str) -> Any:
     """The thing, if it is an initialised object of this class; else TypeError."""
     if not isinstance(thing, kind):
         shown = repr(thing)
