@@ -4,7 +4,6 @@
 #include "experiments/batch.hpp"
 #include "experiments/brakes.hpp"
 #include "experiments/markdown.hpp"
-#include "experiments/numbered_options.hpp"
 #include "experiments/paper_reading.hpp"
 #include "experiments/pictures/pictures.hpp"
 #include "experiments/planar.hpp"
@@ -582,17 +581,10 @@ int main(int argc, char** argv) try {
   std::string plant = "own";
   line.choice("--plant", plant, {"own", "mujoco"},
               "mujoco: run only Figs. 8 to 10, in both simulations (some minutes); needs libmujoco-dev");
-  numbered_options numbered;
-  numbered.add_to(line);
   line.output(directory);
   line.parse(argc, argv);
   if (plant == "mujoco") return in_mujoco() ? 0 : 1;
-  if (!section.empty()) run_sections(argv);
-  if (numbered.are_given()) {
-    numbered.carry_out(directory);
-    return 0;
-  }
-  if (all_arms) run_sections(argv);
+  if (!section.empty() || all_arms) run_sections(argv);
   page_tables page;
   progress_bar::plan(planned_runs);
   report table;

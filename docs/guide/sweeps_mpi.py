@@ -6,7 +6,7 @@ from sweeps import experiment
 from passive_haptics.sweep import sweep
 
 if __name__ == "__main__":
-    # Ranks
-    with MPIPoolExecutor() as executor:
+    # MPI
+    with MPIPoolExecutor() as executor:  # of mpi4py.futures
         shares = sweep(experiment, range(300), executor, file="mpi.sweep")
     print(f"{sum(shares) / len(shares):.3f}")

@@ -91,22 +91,6 @@ void command_line::positive(const std::string& option, double& value, const std:
   if (std::isfinite(value)) added->default_str(passive_haptics::detail::number_text(value));
 }
 
-void command_line::whole_number(const std::string& option, std::optional<std::uint64_t>& value,
-                                const std::string& about) {
-  const auto is_whole = [](const std::string& text) {
-    const bool right =
-        !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == std::string::npos;
-    return right ? std::string() : text + ": expected a whole number of at most 18 digits";
-  };
-  const auto take = [&value](const std::string& text) { value = std::stoull(text); };
-  all_->add_option_function<std::string>(option, take, about)->type_name("NUMBER")->check(is_whole);
-}
-
-void command_line::files(const std::string& option, std::vector<std::string>& values,
-                         const std::string& about) {
-  all_->add(option, values, "FILE", about)->check(not_empty);
-}
-
 void command_line::port(const std::string& option, int& value, const std::string& about) {
   all_->add(option, value, "PORT", about)
       ->check(number_that([](double x) { return x >= 1 && x <= 65535 && x == std::floor(x); },

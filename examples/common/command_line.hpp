@@ -1,10 +1,8 @@
 /// Command lines of examples.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +28,6 @@ class command_line {
               const std::string& about);
   /// A finite number > 0.
   void positive(const std::string& option, double& value, const std::string& about);
-  /// A whole number >= 0 of at most 18 digits.
-  void whole_number(const std::string& option, std::optional<std::uint64_t>& value, const std::string& about);
-  /// The names of one or more files, up to the next option.
-  void files(const std::string& option, std::vector<std::string>& values, const std::string& about);
   /// A UDP port, 1 to 65535.
   void port(const std::string& option, int& value, const std::string& about);
   /// `--output DIR`, the directory of the example's files; the last one counts. parse() creates it.

@@ -59,10 +59,9 @@ struct corner_row {
 
 // The tables while they fill.
 struct corner_tables {
-  number_range which;
-  std::string by_law = {};
-  std::vector<std::string> devices = {};
-  std::vector<std::vector<std::string>> corners = {}, others = {};  // variations, each with a cell per device
+  std::string by_law;
+  std::vector<std::string> devices;
+  std::vector<std::vector<std::string>> corners, others;  // variations, each with a cell per device
 };
 
 template <class M>
@@ -132,10 +131,9 @@ class corner_columns {
   static constexpr double share = 0.5;  // of the corners, for variations
   corner_row follow(const obstacle& what, const corner_hand& hand, const control_maker<M>& make,
                     double part) {
-    const std::uint64_t first = tables_.which.first, all = tables_.which.last - first + 1;
-    const auto count = static_cast<std::size_t>(std::ceil(part * static_cast<double>(all)));
+    const auto count = static_cast<std::size_t>(std::ceil(part * static_cast<double>(corner_count)));
     return {on_all_cores(device_.name, count, [&](std::size_t k) {
-      return corner_run<M>(device_, draw_corner(device_, what, corner_seed, first + k), hand, make).result();
+      return corner_run<M>(device_, draw_corner(device_, what, corner_seed, k), hand, make).result();
     })};
   }
 

@@ -4,13 +4,12 @@
 
 namespace experiments {
 
-page_tables follow_corners(const number_range& which) {
-  corner_tables tables{which};
+page_tables follow_corners() {
+  corner_tables tables;
   tables.by_law = markdown_head({"device", "law", "locked brakes hold", "sink", "a wall is left",
                                  "separations", "deepest, 95 % [mm]: law / locked", "ratio",
                                  "first wall deeper before", "gets out in time / no heavier [%]"});
-  std::printf("Corners %llu to %llu of each device, seed %llu\n\n%s",
-              static_cast<unsigned long long>(which.first), static_cast<unsigned long long>(which.last),
+  std::printf("%zu corners of each device, seed %llu\n\n%s", corner_count,
               static_cast<unsigned long long>(corner_seed), tables.by_law.c_str());
   add_planar_devices(tables);
   add_other_devices(tables);

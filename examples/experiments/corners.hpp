@@ -2,14 +2,16 @@
 #pragma once
 
 #include "markdown.hpp"
-#include "numbered.hpp"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace experiments {
 
 inline constexpr std::uint64_t corner_seed = 59;
-inline constexpr number_range default_corners{0, 59};
+inline constexpr std::size_t corner_count = 60;
 
-// Three tables of docs/results.md for corners with these numbers; rows are printed as they are computed.
-page_tables follow_corners(const number_range& which);
+// Three tables of docs/results.md; rows are printed as they are computed.
+page_tables follow_corners();
 
 }  // namespace experiments

@@ -3,8 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 namespace experiments {
+
+namespace {
+
+std::string csv_line(const table_row& row) {
+  const auto& f = row.figures;
+  std::ostringstream line;
+  line << row.device << ", " << row.wall << ", " << row.environment << ", " << row.law << ", "
+       << f.separations << ", " << 1e3 * f.depth_std << ", " << 1e3 * f.depth_range << ", "
+       << 1e3 * f.depth_mean << ", " << 1e3 * f.max_depth << ", " << 100 * f.stick_share << ", "
+       << f.retarding_force << ", " << 1e3 * f.brake_energy << ", " << f.duration << ", "
+       << (f.arrived ? "yes" : "no") << "\n";
+  return line.str();
+}
+
+}  // namespace
 
 void report::section(std::string_view title) {
   std::printf("\n%.*s\n%-8s %-15s %-16s %-34s %5s %8s %8s %8s %8s %7s %7s %7s\n",

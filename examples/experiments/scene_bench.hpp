@@ -30,10 +30,10 @@ scene_bench bench_of_all(const scene_device<M>& device) {
   const auto effects = all_effects<M>();
   for (const auto& e : effects) bench.effects.push_back(e.row);
   bench.effect_laws = {{"direct_control", true}, {"direct_control", false}, {"no_direct_control", true}};
-  bench.run_effect = [=](bool has_wall, std::size_t i, std::size_t j, const number_range& hands) {
+  bench.run_effect = [=](bool has_wall, std::size_t i, std::size_t j, std::uint64_t hands) {
     effect_figures worst;
     const auto add_hands = [&](const auto& control_of) {
-      for (std::uint64_t k = hands.first; k <= hands.last; ++k)
+      for (std::uint64_t k = 0; k < hands; ++k)
         worst.add(follow_effect(device, effects[i], control_of, has_wall, k));
     };
     if (j == 0) add_hands(with_sensor{ph::direct_control()});

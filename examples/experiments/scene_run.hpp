@@ -167,10 +167,9 @@ template <class M>
 scene_bench bench_of(const scene_device<M>& device, const std::vector<law_column<M>>& laws) {
   const auto listed = all_specimens<M::task_dimension>();
   scene_bench bench{device.name, {listed.begin(), listed.end()}, {laws.begin(), laws.end()}, {}};
-  bench.run = [=](const scene_kind& kind, std::size_t i, std::size_t j, const number_range& hands) {
+  bench.run = [=](const scene_kind& kind, std::size_t i, std::size_t j, std::uint64_t hands) {
     scene_figures worst;
-    for (std::uint64_t k = hands.first; k <= hands.last; ++k)
-      worst.add(follow_scene(device, listed[i], kind, laws[j], k));
+    for (std::uint64_t k = 0; k < hands; ++k) worst.add(follow_scene(device, listed[i], kind, laws[j], k));
     return worst;
   };
   return bench;

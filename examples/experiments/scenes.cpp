@@ -19,8 +19,7 @@ struct numbered_cell {
 
 class scene_tables {
  public:
-  explicit scene_tables(const number_range& hands)
-      : hands_(hands), benches_{planar_bench(), spatial_bench()} {
+  scene_tables() : benches_{planar_bench(), spatial_bench()} {
     for (std::size_t b = 0; b < benches_.size(); ++b)
       for (const auto& s : benches_[b].specimens)
         if (std::find(names_.begin(), names_.end(), s.name) == names_.end()) names_.push_back(s.name);
@@ -30,7 +29,7 @@ class scene_tables {
     for (const scene_kind& kind : scene_kinds) {
       const std::vector<numbered_cell> cells = cells_of(kind);
       const auto results = on_all_cores(kind.name, cells.size(), [&](std::size_t k) {
-        return benches_[cells[k].bench].run(kind, cells[k].specimen, cells[k].law, hands_);
+        return benches_[cells[k].bench].run(kind, cells[k].specimen, cells[k].law, scene_hands);
       });
       worse_.clear();
       for (std::size_t k = 0; k < cells.size(); ++k) judge(kind, cells[k], results[k]);
@@ -56,7 +55,7 @@ class scene_tables {
           for (std::size_t b = 0; b < benches_.size(); ++b) cells.push_back({b, e, l, has_wall});
     const auto results = on_all_cores("effects", cells.size(), [&](std::size_t k) {
       const auto& c = cells[k];
-      return benches_[c.bench].run_effect(c.has_wall, c.effect, c.law, hands_);
+      return benches_[c.bench].run_effect(c.has_wall, c.effect, c.law, scene_hands);
     });
     for (std::size_t k = 0; k < cells.size(); k += 2) {
       const auto& c = cells[k];
@@ -189,7 +188,6 @@ class scene_tables {
     return all;
   }
 
-  number_range hands_;
   std::vector<scene_bench> benches_;
   std::vector<std::string> names_;
   std::map<std::tuple<std::string, std::size_t, std::string, std::size_t>, judged> results_;
@@ -203,8 +201,8 @@ class scene_tables {
 
 }  // namespace
 
-page_tables follow_scenes(const number_range& hands, int& unexplained) {
-  scene_tables tables(hands);
+page_tables follow_scenes(int& unexplained) {
+  scene_tables tables;
   tables.print_effects();
   tables.fill();
   unexplained = tables.unexplained();

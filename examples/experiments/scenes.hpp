@@ -3,10 +3,10 @@
 #pragma once
 
 #include "markdown.hpp"
-#include "numbered.hpp"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -74,14 +74,13 @@ struct scene_bench {
   std::string device;
   std::vector<scene_specimen> specimens;
   std::vector<scene_law> laws;
-  // Runs these hands at specimen i under law j.
-  std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, const number_range& hands)>
-      run;
+  // Runs this number of hands at specimen i under law j.
+  std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, std::uint64_t hands)> run;
   std::vector<scene_effect> effects = {};
   std::vector<scene_law> effect_laws = {};
-  // Runs these hands at effect i under law j.
-  std::function<effect_figures(bool has_wall, std::size_t i, std::size_t j, const number_range& hands)>
-      run_effect = {};
+  // Runs this number of hands at effect i under law j.
+  std::function<effect_figures(bool has_wall, std::size_t i, std::size_t j, std::uint64_t hands)> run_effect =
+      {};
 };
 scene_bench planar_bench();
 scene_bench spatial_bench();
@@ -107,10 +106,10 @@ const std::vector<scene_limit>& scene_limits();
 // The first limit that applies; nullptr for none.
 const scene_limit* limit_of(const scene_cell& cell, const std::string& worse);
 
-inline constexpr number_range default_scene_hands{0, 9};
+inline constexpr std::uint64_t scene_hands = 10;
 
 // Prints the table of each kind of scene and the cells worse than their reference; returns the tables of
 // docs/results.md. `unexplained` counts worse cells without a reason.
-page_tables follow_scenes(const number_range& hands, int& unexplained);
+page_tables follow_scenes(int& unexplained);
 
 }  // namespace experiments

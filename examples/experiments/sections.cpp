@@ -3,7 +3,6 @@
 #include "arms.hpp"
 #include "batch.hpp"
 #include "corners.hpp"
-#include "numbered_options.hpp"
 #include "plants.hpp"
 #include "results_page.hpp"
 #include "scenes.hpp"
@@ -25,8 +24,6 @@ int main(int argc, char** argv) try {
                              "Sections of the experiments.");  // 07_experiments has the help text
   line.choice("section", section, {"corners", "scenes", "wide"}, "only this one");
   line.flag("--arms", all_arms, "no more than the whole table of arms");
-  numbered_options numbered;
-  numbered.add_to(line);
   line.output(directory);
   line.parse(argc, argv);
   page_tables tables;
@@ -41,11 +38,9 @@ int main(int argc, char** argv) try {
     std::fputs(tables["wide_seeds"].c_str(), stdout);
     return is_printed(tables) ? 0 : 1;
   }
-  const bool others = numbered.are_given();
   int unexplained = 0;
-  tables = section == "corners" ? follow_corners(others ? numbered.range() : default_corners)
-                                : follow_scenes(others ? numbered.range() : default_scene_hands, unexplained);
-  return (others || is_printed(tables)) && unexplained == 0 ? 0 : 1;
+  tables = section == "corners" ? follow_corners() : follow_scenes(unexplained);
+  return is_printed(tables) && unexplained == 0 ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());
   return 1;

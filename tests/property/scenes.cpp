@@ -14,7 +14,6 @@ namespace {
 using namespace experiments;
 
 TEST(scenes, are_felt_as_the_analytic_shape_or_named_in_the_limits) {
-  constexpr number_range hands{0, 1};
   using M = ph::tendon_two_link<double>;
   const auto device = planar_scene_device();
   const scene_bench bench = bench_of<M>(
@@ -27,7 +26,7 @@ TEST(scenes, are_felt_as_the_analytic_shape_or_named_in_the_limits) {
       for (std::size_t s = 0; s < bench.specimens.size(); ++s) {
         const scene_cell cell{bench, kind, bench.specimens[s], bench.laws[l]};
         if (!unfit(cell).empty()) continue;
-        const scene_figures figures = bench.run(kind, s, l, hands);
+        const scene_figures figures = bench.run(kind, s, l, 2);
         const surface meant = cell.specimen.meant;
         const bool is_reference = here.emplace(meant, figures).second;
         if (is_reference) alone.emplace(std::pair(l, meant), figures);

@@ -1,9 +1,11 @@
 """Sweeps: results are those of a loop, whatever the executor and the split, and whoever dies."""
 
-import importlib.util
+import contextlib
+import glob
 import os
 import pickle
 import random
+import shlex
 import shutil
 import signal
 import sqlite3
@@ -261,11 +263,19 @@ def test_300_experiments_by_two_workers_of_dask_one_of_which_is_killed(tmp_path,
     assert f"digest 300 {digest(serial)}" in run.stdout
 
 
+MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2"]
+
+
+def on_ranks(**more):
+    return environment(OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_btl="self,vader", **more)
+
+
 def by_mpi(*command, folder, **variables):
     """A program on two ranks."""
-    command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", sys.executable, "-m", "mpi4py.futures", *command]
-    variables = environment(OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_btl="self,vader", **variables)
-    return subprocess.run(command, env=variables, cwd=folder, capture_output=True, text=True, timeout=PATIENCE)
+    command = [*MPIRUN, sys.executable, "-m", "mpi4py.futures", *command]
+    return subprocess.run(
+        command, env=on_ranks(**variables), cwd=folder, capture_output=True, text=True, timeout=PATIENCE
+    )  # fmt: skip
 
 
 @pytest.mark.skipif(not shutil.which("mpirun"), reason="no mpirun: Debian's openmpi-bin is not installed")
@@ -281,33 +291,44 @@ def test_300_experiments_by_two_ranks_of_mpi_one_of_which_is_killed(tmp_path, se
     assert f"digest 300 {digest(serial)}" in again.stdout
 
 
-def test_guide_runs(tmp_path):
-    run = subprocess.run([sys.executable, os.path.join(GUIDE, "sweeps.py")], cwd=tmp_path, capture_output=True, text=True)
-    assert run.returncode == 0, run.stderr
-    assert "299 others have results; ZeroDivisionError: float division by zero" in run.stdout
-    share = run.stdout.split()[0]
-    if importlib.util.find_spec("distributed"):
-        program = os.path.join(GUIDE, "sweeps_dask.py")
-        by_dask = subprocess.run([sys.executable, program], cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE)
-        assert by_dask.stdout.strip() == share, by_dask.stderr
-        assert (tmp_path / "dask.sweep").read_bytes()
-    if importlib.util.find_spec("mpi4py") and shutil.which("mpirun"):
-        run = by_mpi(os.path.join(GUIDE, "sweeps_mpi.py"), folder=tmp_path)
-        assert run.stdout.strip() == share, run.stderr
+def stand_in(path, script):
+    """A program that is this script of a shell."""
+    path.write_text(f"#!/bin/sh\n{script}\n")
+    path.chmod(0o700)
 
 
-@pytest.mark.skipif("PASSIVE_HAPTICS_NUMBERED" not in os.environ, reason="tests/run python names the program")
-def test_parts_of_the_cpp_experiments_by_dask_equal_one_run(tmp_path):
-    pytest.importorskip("distributed", reason="Debian's python3-distributed is not installed")
-    numbered = os.environ["PASSIVE_HAPTICS_NUMBERED"]
-    program = tmp_path / "build/examples/examples/07_experiments"
-    program.parent.mkdir(parents=True)
-    program.symlink_to(numbered)
-    run = subprocess.run(
-        [sys.executable, os.path.join(GUIDE, "sweeps_parts.py")],
-        env=environment(DASK_TEMPORARY_DIRECTORY=tmp_path), cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE,
+def by_shell(command, folder):
+    """What a command of the guide prints, as a job of SLURM on two ranks; what it started ends with it."""
+    for file in glob.glob(os.path.join(GUIDE, "sweeps*")):
+        shutil.copy(file, folder)
+    stand_in(folder / "python", f'exec {shlex.quote(sys.executable)} "$@"')
+    stand_in(folder / "srun", f'[ "$1" != --mpi=pmix ] || shift\nexec {shlex.join(MPIRUN)} "$@"')
+    variables = on_ranks(
+        PATH=f"{folder}:{os.environ['PATH']}", SLURMD_NODENAME="127.0.0.1", SLURM_JOB_ID=os.getpid(),
+        DASK_TEMPORARY_DIRECTORY=folder,
     )  # fmt: skip
-    assert run.returncode == 0, run.stderr
-    subprocess.run([numbered, "--first", "0", "--last", "299", "--output", "whole"], cwd=tmp_path, check=True)
-    merged, whole = (tmp_path / place / "experiments_0_299.csv" for place in (".", "whole"))
-    assert merged.read_bytes() == whole.read_bytes()
+    with open(folder / "out", "w") as out, open(folder / "err", "w") as err:
+        job = subprocess.Popen(
+            ["sh", "-c", command], env=variables, cwd=folder, stdout=out, stderr=err, start_new_session=True
+        )  # fmt: skip
+    try:
+        job.wait(timeout=PATIENCE)
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(job.pid, signal.SIGTERM)
+    assert job.returncode == 0, (folder / "err").read_text()
+    return (folder / "out").read_text()
+
+
+def test_guide_runs(tmp_path):
+    printed = by_shell("python sweeps.py", tmp_path)
+    assert printed.startswith("0.650 +- 0.001 of the states\n")
+    assert "299 others have results; ZeroDivisionError: float division by zero" in printed
+
+
+@pytest.mark.skipif(not shutil.which("mpirun"), reason="no mpirun: Debian's openmpi-bin is not installed")
+@pytest.mark.parametrize("command", ["python sweeps_dask.py", "sh sweeps_dask.sh", "sh sweeps_mpi.sh"])
+def test_guide_runs_on_workers_and_in_jobs(command, tmp_path):
+    pytest.importorskip("distributed", reason="Debian's python3-distributed is not installed")
+    pytest.importorskip("mpi4py", reason="Debian's python3-mpi4py is not installed")
+    assert by_shell(command, tmp_path) == "0.650\n"
