@@ -24,7 +24,6 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -82,13 +81,13 @@ bench_test test_of(const Model& brake, const std::function<double(double)>& torq
                    const std::filesystem::path& directory) {
   std::printf("In the simulation:\n%s", ph::to_text(brake).c_str());
   return [=](const char* name, function_of_time current_at, function_of_time rate, double duration) {
-    const auto bench = std::make_shared<example::simulated_bench<Model>>(brake, torque_at, rate, how);
-    example::simulated_bench_port<Model> port{bench};
-    example::simulated_torque_sensor<Model> sensor{bench};
+    example::simulated_bench<Model> bench(brake, torque_at, rate, how);
+    example::simulated_bench_port<example::simulated_bench<Model>> port{&bench};
+    example::simulated_torque_sensor<example::simulated_bench<Model>> sensor{&bench};
     ph::bench_parameters p;
     p.radians_per_count = how.resolution;
     p.current_limit = current;
-    const auto wait = [&] { return bench->wait(); };  // a real bench sleeps until the next period
+    const auto wait = [&] { return bench.wait(); };  // a real bench sleeps until the next period
     const auto samples = ph::record_on_bench(port, sensor, p, duration, current_at, wait);
     example::write_file(directory / (std::string(name) + ".csv"), table(samples));
     return samples;

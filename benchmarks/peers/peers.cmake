@@ -32,18 +32,6 @@ peer(daqp DAQP daqp daqpstat)
 find_package(eiquadprog QUIET)
 peer(eiquadprog eiquadprog eiquadprog eiquadprog::eiquadprog)
 
-find_package(qpOASES QUIET)
-peer(qpoases qpOASES qpOASES ${qpOASES_LIBRARY})
-
-find_package(proxsuite QUIET)
-peer(proxqp ProxQP proxsuite proxsuite::proxsuite)
-
-find_package(osqp QUIET)
-if("${osqp_VERSION}" STREQUAL "")
-  set(osqp_FOUND FALSE)  # 0.6, with another interface, states no version
-endif()
-peer(osqp OSQP osqp osqp::osqpstatic)
-
 find_package(orocos_kdl QUIET)
 peer(kdl KDL orocos_kdl ${orocos_kdl_LIBRARIES})
 

@@ -11,11 +11,9 @@ inline constexpr unsigned seed = 20040627;
 
 void add_ladder();
 void add_large_scenes();
-void add_dimensions();
 
 // Each returns its part of the summary, empty if some rows were filtered out.
 std::string print_ladder(const benchmarks::results& all);
 std::string print_large_scenes(const benchmarks::results& all);
-std::string print_dimensions(const benchmarks::results& all);
 
 }  // namespace scenes

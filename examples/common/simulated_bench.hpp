@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <numbers>
 #include <random>
 #include <utility>
@@ -69,10 +68,10 @@ class simulated_bench {
 };
 
 /// BrakePort of a bench with one brake and one encoder.
-template <class Model>
+template <class Bench>
 struct simulated_bench_port {
   static constexpr int encoder_count = 1, brake_count = 1;
-  std::shared_ptr<simulated_bench<Model>> bench;
+  Bench* bench;
   std::uint32_t sequence = 0;
 
   std::string open() { return {}; }
@@ -88,10 +87,10 @@ struct simulated_bench_port {
 };
 
 /// Its torque sensor.
-template <class Model>
+template <class Bench>
 struct simulated_torque_sensor {
   static constexpr int channel_count = 1;
-  std::shared_ptr<simulated_bench<Model>> bench;
+  Bench* bench;
   std::uint32_t sequence = 0;
 
   std::string open() { return {}; }

@@ -183,8 +183,7 @@ inline arm_cell cell_of(const std::vector<arm_result>& results, std::size_t firs
     spread.push_back(r.figures.depth_std);
     cell.max_power = std::max(cell.max_power, r.figures.max_brake_power);
   }
-  std::nth_element(spread.begin(), spread.begin() + static_cast<std::ptrdiff_t>(count / 2), spread.end());
-  cell.median_std = spread[count / 2];
+  cell.median_std = median(spread);
   return cell;
 }
 

@@ -114,4 +114,21 @@ auto on_all_cores(const std::string& name, std::size_t count, Job&& job) {
   return on_all_cores(name, count, job, [](std::size_t, const auto&) {});
 }
 
+// The upper median; 0 without values.
+template <class T>
+double median(std::vector<T> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return static_cast<double>(*middle);
+}
+
+// A member of all figures.
+template <class Figures, class T>
+std::vector<T> values_of(const std::vector<Figures>& figures, T Figures::* member) {
+  std::vector<T> values;
+  for (const Figures& f : figures) values.push_back(f.*member);
+  return values;
+}
+
 }  // namespace experiments

@@ -4,8 +4,6 @@
 #include "markdown.hpp"
 #include "plants.hpp"
 
-#include <algorithm>
-
 namespace experiments {
 
 bool reproduces(const ph::contact_metrics& without, const ph::contact_metrics& with) {
@@ -43,19 +41,6 @@ std::vector<reading_cell> read_the_paper(std::uint64_t seed, double time_step, b
   return cells;
 }
 
-namespace {
-
-template <class T>
-double median(const std::vector<ph::contact_metrics>& figures, T ph::contact_metrics::* member) {
-  std::vector<T> values;
-  for (const auto& f : figures) values.push_back(f.*member);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
-}
-
-}  // namespace
-
 std::string reading_table(const std::vector<reading_cell>& cells) {
   using m = ph::contact_metrics;
   std::string table = markdown_head({"wall", "law", "reproduces", "separations", "deepest [mm]",
@@ -64,13 +49,13 @@ std::string reading_table(const std::vector<reading_cell>& cells) {
   for (const auto& c : cells) {
     table += markdown_row({written("%s, %.0f Hz", c.wall.c_str(), c.rate), std::string(name_of(c.which)),
                            c.which == law::none ? "" : written("%d of %zu", c.reproduced, c.figures.size()),
-                           written("%.0f", median(c.figures, &m::separations)),
-                           written("%.1f", 1e3 * median(c.figures, &m::max_depth)),
-                           written("%.1f", 1e3 * median(c.figures, &m::depth_mean)),
-                           written("%.2f", 1e3 * median(c.figures, &m::depth_std)),
-                           written("%.0f %%", 100 * median(c.figures, &m::stick_share)),
-                           written("%.2f", median(c.figures, &m::hand_force_std)),
-                           written("%.2f", median(c.figures, &m::retarding_force))});
+                           written("%.0f", median(values_of(c.figures, &m::separations))),
+                           written("%.1f", 1e3 * median(values_of(c.figures, &m::max_depth))),
+                           written("%.1f", 1e3 * median(values_of(c.figures, &m::depth_mean))),
+                           written("%.2f", 1e3 * median(values_of(c.figures, &m::depth_std))),
+                           written("%.0f %%", 100 * median(values_of(c.figures, &m::stick_share))),
+                           written("%.2f", median(values_of(c.figures, &m::hand_force_std))),
+                           written("%.2f", median(values_of(c.figures, &m::retarding_force)))});
   }
   return table;
 }
@@ -84,7 +69,7 @@ std::string plant_table(const std::vector<reading_cell>& own, const std::vector<
                                  std::string(name_of(own[k].which))};
     const auto add = [&](int digits, double unit, auto member) {
       for (const auto* cells : {&own, &mujoco})
-        row.push_back(written("%.*f", digits, median((*cells)[k].figures, member) / unit));
+        row.push_back(written("%.*f", digits, median(values_of((*cells)[k].figures, member)) / unit));
     };
     add(0, 1, &m::separations);
     add(2, 1e-3, &m::depth_mean);

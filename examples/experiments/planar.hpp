@@ -6,6 +6,7 @@
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -16,30 +17,40 @@ namespace experiments {
 namespace ph = passive_haptics;
 using plane_vector = ph::vector<double, 2>;
 
-// A wall of any shape of the experiments.
-class test_wall {
+// One of several shapes, chosen at run time.
+template <class First, class... Others>
+class one_of {
  public:
-  static constexpr int dimension = 2;
+  static constexpr int dimension = First::dimension;
   template <class Shape>
-  explicit test_wall(Shape shape) : shape_(std::move(shape)) {}
+  explicit one_of(Shape shape) : shape_(std::move(shape)) {}
 
-  double distance(const ph::point<2>& x) const {
+  double distance(const ph::point<dimension>& x) const {
     return std::visit([&](const auto& s) { return s.distance(x); }, shape_);
   }
-  ph::point<2> gradient(const ph::point<2>& x) const {
+  ph::point<dimension> gradient(const ph::point<dimension>& x) const {
     return std::visit([&](const auto& s) { return s.gradient(x); }, shape_);
   }
-  ph::matrix<double, 2, 2> hessian(const ph::point<2>& x) const {
+  ph::matrix<double, dimension, dimension> hessian(const ph::point<dimension>& x) const {
     return std::visit([&](const auto& s) { return ph::surface_curvature(s, x); }, shape_);
   }
 
  private:
-  std::variant<ph::half_space<2>, ph::disc> shape_;
+  std::variant<First, Others...> shape_;
 };
 
+using test_wall = one_of<ph::half_space<2>, ph::disc>;
 test_wall planar_wall(double slant = 0);  // through (0, 0.225) m, free below, slanted by this angle [rad]
 test_wall concave_wall();                 // inside the circle of 0.325 m about (0.11, -0.10) m
 test_wall convex_wall();                  // outside the circle of 0.325 m about (0.11, 0.55) m
+
+// y [m] of the point below the wall at x [m] with this distance [m], by Newton's method from inside the
+// device's workspace.
+inline double height_before(const test_wall& wall, double x, double distance = 0) {
+  plane_vector at(x, 0.2);
+  for (int k = 0; k < 50; ++k) at[1] += (wall.distance(at) - distance) / std::max(0.2, -wall.gradient(at)[1]);
+  return at[1];
+}
 
 // The simulation that moves the device.
 enum class simulation { own, mujoco };

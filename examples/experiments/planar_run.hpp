@@ -29,9 +29,7 @@ struct device {
 
 // Start of the handle at this distance from the wall, at start_x.
 inline plane_vector start_beside(const test_wall& wall, double gap) {
-  plane_vector x(start_x, 0.2);
-  for (int k = 0; k < 50; ++k) x[1] += (wall.distance(x) - gap) / std::max(0.2, -wall.gradient(x)[1]);
-  return x;
+  return {start_x, height_before(wall, start_x, gap)};
 }
 
 template <class M, class Brakes, class Model, class Law>

@@ -50,6 +50,24 @@ ph::serial_chain_with_inertia<double, static_cast<int>(N) + 1, 3> spatial_rods(
   return {geometry, inertia};
 }
 
+// Three revolute joints, 0.1 m of column, two links of 0.15 m: uniform rods of 0.2 kg times `inertia`.
+using arm_3r = ph::serial_chain_with_inertia<double, 3, 3>;
+inline arm_3r arm_3r_of(double inertia) {
+  using V = ph::vector<double, 3>;
+  const V base(0, 0, 0), shoulder(0, 0, 0.1), elbow(0.15, 0, 0.1), handle(0.3, 0, 0.1);
+  ph::serial_chain_parameters<double, 3, 3> geometry;
+  geometry.joints = {ph::revolute_joint<double>({0, 0, 1}, base),
+                     ph::revolute_joint<double>({0, -1, 0}, shoulder),
+                     ph::revolute_joint<double>({0, -1, 0}, elbow)};
+  geometry.handle = handle;
+  const double mass = 0.2 * inertia;
+  ph::serial_chain_inertia<double, 3, 3> rods;
+  rods.links = {ph::uniform_rod<double, 3>(mass, base, shoulder),
+                ph::uniform_rod<double, 3>(mass, shoulder, elbow),
+                ph::uniform_rod<double, 3>(mass, elbow, handle)};
+  return {geometry, rods};
+}
+
 // The arm with only these brakes, by their numbers from 0.
 template <int... Brakes, class M>
 ph::braked_joints<M, Brakes...> with_brakes(const M& arm) {

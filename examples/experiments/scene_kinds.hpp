@@ -1,9 +1,9 @@
 // Specimens in scenes of every kind, type-erased.
 #pragma once
 
-#include "any_scene.hpp"
 #include "specimens.hpp"
 
+#include <passive_haptics/runtime/any_scene.hpp>
 #include <passive_haptics/runtime/any_shape.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/shapes/moving.hpp>
@@ -16,7 +16,7 @@
 
 namespace experiments {
 
-using ph::runtime::any_shape;
+using ph::runtime::any_scene, ph::runtime::any_shape;
 
 // A type-erased specimen at a place.
 template <int D>
@@ -90,33 +90,21 @@ std::vector<any_specimen<D>> all_specimens() {
 }
 
 // A scene with walls that are moved before it is sensed.
-template <class Scene, int D, int Capacity>
-class moved_scene final : public any_scene<D, Capacity>::interface {
-  using base = typename any_scene<D, Capacity>::interface;
-  using contacts = typename any_scene<D, Capacity>::contacts_type;
-
- public:
-  using mover = std::function<void(Scene&, double)>;  // moves its walls to a time [s]
-  moved_scene(Scene scene, mover move) : scene_(std::move(scene)), move_(std::move(move)) {}
-  std::unique_ptr<base> copy() const override { return std::make_unique<moved_scene>(*this); }
-  const contacts& touched_at(const ph::point<D>& x, double time) override {
-    move_(scene_, time);
-    touched_.clear();
-    const auto add = [this](const auto& found) {
-      for (const auto& c : found) touched_.append_unchecked(c);
-    };
-    if constexpr (requires { scene_.touched_at(x, time); }) add(scene_.touched_at(x, time));
-    else add(scene_.touched_at(x));
-    return touched_;
+template <class Scene, class Move>
+struct moved_scene {
+  static constexpr int dimension = Scene::dimension;
+  using contacts_type = typename Scene::contacts_type;
+  Scene scene;
+  Move move;  // moves its walls to a time [s]
+  decltype(auto) touched_at(const ph::point<dimension>& x, double time) {
+    move(scene, time);
+    if constexpr (requires { scene.touched_at(x, time); }) return scene.touched_at(x, time);
+    else return scene.touched_at(x);
   }
-  void set_margin(double margin) override { scene_.set_margin(margin); }
-  void reset() override {}
-
- private:
-  Scene scene_;
-  mover move_;
-  contacts touched_;
+  void set_margin(double margin) { scene.set_margin(margin); }
 };
+template <class Scene, class Move>
+moved_scene(Scene, Move) -> moved_scene<Scene, Move>;
 
 // A small mesh 5 m away.
 template <int D>
@@ -126,20 +114,17 @@ ph::any_wall<D> far_mesh(place<D> p) {
 }
 
 // The scene of this kind. At a time, its walls are displaced outward by `speed` times (time - middle).
-template <int D, int Capacity>
-any_scene<D, Capacity> scene_of(const scene_kind& kind, const placed_specimen<D>& placed, const place<D>& p,
-                                double middle) {
+template <int D>
+any_scene<D> scene_of(const scene_kind& kind, const placed_specimen<D>& placed, const place<D>& p,
+                      double middle) {
   const ph::point<D> velocity = kind.speed * p.normal;
-  const auto made = [&]<class Scene>(Scene scene, auto move) {
-    if (!kind.is_slow)
-      return any_scene<D, Capacity>(
-          std::make_unique<moved_scene<Scene, D, Capacity>>(std::move(scene), move));
-    using held = ph::held_scene<Scene>;
-    return any_scene<D, Capacity>(std::make_unique<moved_scene<held, D, Capacity>>(
-        held(std::move(scene), 0.05), [move](held& h, double time) { move(h.scene(), time); }));
+  const auto made = [&](auto scene, auto move) {
+    if (!kind.is_slow) return any_scene<D>(moved_scene{std::move(scene), move});
+    return any_scene<D>(moved_scene{ph::held_scene(std::move(scene), 0.05),
+                                    [move](auto& held, double time) { move(held.scene(), time); }});
   };
   if (kind.is_world) {
-    using world = ph::world<D, Capacity>;
+    using world = ph::world<D>;
     ph::world_walls<D> walls;
     for (const auto& w : placed.walls) kind.speed != 0 ? walls.add_moving(w) : walls.add(w);
     const int count = static_cast<int>(placed.walls.size());
@@ -159,10 +144,8 @@ any_scene<D, Capacity> scene_of(const scene_kind& kind, const placed_specimen<D>
   };
   if (kind.has_bar)
     shapes.emplace_back(any_shape<D>(p.bar(10e-3 / p.radius, 5e-3 / p.radius, 30e-3 / p.radius)));
-  if constexpr (Capacity > 1) {
-    if (shapes.size() == 2) return of(std::make_integer_sequence<int, 2>());
-    if (shapes.size() == 3) return of(std::make_integer_sequence<int, 3>());
-  }
+  if (shapes.size() == 2) return of(std::make_integer_sequence<int, 2>());
+  if (shapes.size() == 3) return of(std::make_integer_sequence<int, 3>());
   return of(std::make_integer_sequence<int, 1>());
 }
 

@@ -15,14 +15,6 @@ void scene_figures::add(const scene_figures& other) {
     this->*m = std::max(this->*m, other.*m);
 }
 
-void effect_figures::add(const effect_figures& other) {
-  hands += other.hands;
-  not_left += other.not_left;
-  for (const auto m :
-       {&effect_figures::moved, &effect_figures::creep, &effect_figures::max_depth, &effect_figures::leave})
-    this->*m = std::max(this->*m, other.*m);
-}
-
 std::string unfit(const scene_cell& cell) {
   const bool is_slot = cell.specimen.walls > 1 && cell.specimen.name.find("slot") == 0;
   if (!cell.kind.is_world && cell.specimen.is_surface) return "a mesh_surface needs a world";

@@ -6,6 +6,7 @@
 #include "scene_kinds.hpp"
 
 #include <passive_haptics/plant/wall_following.hpp>
+#include <passive_haptics/runtime/any_controller.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -57,10 +58,10 @@ Law with_lead(Law law, const auto& brakes) {
 
 template <class M, class Law>
 law_column<M> column(const std::string& name, bool has_sensor, const Law& law) {
-  constexpr int D = M::task_dimension, capacity = ph::saturates_before_scaling<Law> ? 1 : D + 1;
+  constexpr bool takes_one_wall = ph::saturates_before_scaling<Law>;
   const auto control = [=](const M& mechanism, const ph::brakes_of<M>& brakes,
                            const auto&... scene) -> loop_control<M> {
-    const auto walls = scene_of<D, capacity>(scene...);
+    const ph::runtime::scene_for<Law, M::task_dimension> walls(scene_of(scene...));
     const auto made = [](auto controller, auto state_of) {
       return [=](const ph::device_state<M>& state) mutable {
         const auto result = controller(state_of(state));
@@ -74,7 +75,7 @@ law_column<M> column(const std::string& name, bool has_sensor, const Law& law) {
       return made(without_sensor{law}(mechanism, brakes, walls), blind);
     else return made(with_sensor{law}(mechanism, brakes, walls), blind);
   };
-  return {{name, has_sensor, capacity == 1 ? 1 : 1000}, control};
+  return {{name, has_sensor, takes_one_wall ? 1 : 1000}, control};
 }
 
 // The walls at their present place.

@@ -33,43 +33,9 @@ class scene_tables {
       });
       worse_.clear();
       for (std::size_t k = 0; k < cells.size(); ++k) judge(kind, cells[k], results[k]);
-      std::printf("\n%s: depth ratio %s / %s, separations in brackets, worse ones in bold\n\n%s\n%s",
-                  kind.name, benches_[0].device.c_str(), benches_[1].device.c_str(), table(kind).c_str(),
-                  (worse_head() + worse_).c_str());
+      std::printf("\n%s: what is worse than the reference\n\n%s", kind.name, (worse_head() + worse_).c_str());
       std::fflush(stdout);
     }
-  }
-
-  // Effects in free space and along a wall, to stdout.
-  void print_effects() const {
-    std::string all = markdown_head({"effect", "scene", "law", "moved [mm]", "creeps [mm/s]",
-                                     "leaves after [ms]", "never left", "deepest in the wall [mm]"});
-    struct effect_cell {
-      std::size_t bench, effect, law;
-      bool has_wall;
-    };
-    std::vector<effect_cell> cells;
-    for (std::size_t e = 0; e < benches_[0].effects.size(); ++e)
-      for (const bool has_wall : {false, true})
-        for (std::size_t l = 0; l < benches_[0].effect_laws.size(); ++l)
-          for (std::size_t b = 0; b < benches_.size(); ++b) cells.push_back({b, e, l, has_wall});
-    const auto results = on_all_cores("effects", cells.size(), [&](std::size_t k) {
-      const auto& c = cells[k];
-      return benches_[c.bench].run_effect(c.has_wall, c.effect, c.law, scene_hands);
-    });
-    for (std::size_t k = 0; k < cells.size(); k += 2) {
-      const auto& c = cells[k];
-      const auto& l = benches_[0].effect_laws[c.law];
-      const effect_figures &a = results[k], &b = results[k + 1];
-      all += markdown_row(
-          {benches_[0].effects[c.effect].name, c.has_wall ? "along a wall" : "in free space",
-           l.name + (l.has_sensor ? "" : ", no sensor"), written("%.1f / %.1f", 1e3 * a.moved, 1e3 * b.moved),
-           written("%.1f / %.1f", 1e3 * a.creep, 1e3 * b.creep),
-           written("%.0f / %.0f", 1e3 * a.leave, 1e3 * b.leave), written("%d / %d", a.not_left, b.not_left),
-           c.has_wall ? written("%.1f / %.1f", 1e3 * a.max_depth, 1e3 * b.max_depth) : ""});
-    }
-    std::printf("\nEffects, %s / %s\n\n%s", benches_[0].device.c_str(), benches_[1].device.c_str(),
-                all.c_str());
   }
 
   int unexplained() const {
@@ -167,27 +133,6 @@ class scene_tables {
                           "deepest [mm]", "deviation [mm]", "drag [N]", "to leave [ms]",
                           "arrived / through / not left", "reason"});
   }
-  std::string text_of(const scene_kind& kind, std::size_t b, const std::string& name, std::size_t law) const {
-    const auto found = results_.find({kind.name, b, name, law});
-    if (found == results_.end()) return "-";
-    const judged& j = found->second;
-    std::string text = written("%.1f", j.ratio);
-    if (j.figures.separations > 0) text += written(" (%d)", j.figures.separations);
-    return j.worse.empty() ? text : "**" + text + "**";
-  }
-  std::string table(const scene_kind& kind) const {
-    std::vector<std::string> head{"shape"};
-    for (const auto& l : benches_[0].laws) head.push_back(l.name + (l.has_sensor ? "" : ", no sensor"));
-    std::string all = markdown_head(head);
-    for (const auto& name : names_) {
-      std::vector<std::string> row{name};
-      for (std::size_t l = 0; l < benches_[0].laws.size(); ++l)
-        row.push_back(text_of(kind, 0, name, l) + " / " + text_of(kind, 1, name, l));
-      all += markdown_row(row);
-    }
-    return all;
-  }
-
   std::vector<scene_bench> benches_;
   std::vector<std::string> names_;
   std::map<std::tuple<std::string, std::size_t, std::string, std::size_t>, judged> results_;
@@ -203,7 +148,6 @@ class scene_tables {
 
 page_tables follow_scenes(int& unexplained) {
   scene_tables tables;
-  tables.print_effects();
   tables.fill();
   unexplained = tables.unexplained();
   std::printf("\nWorse cells by their limits; %d without a reason\n\n", unexplained);

@@ -56,19 +56,6 @@ struct scene_figures {
   void add(const scene_figures& other);
 };
 
-// An effect; holds: it holds a hand.
-struct scene_effect {
-  std::string name;
-  bool holds;
-};
-// Figures of one hand against an effect, or the worst of several.
-struct effect_figures {
-  int hands = 0, not_left = 0;
-  double moved = 0, creep = 0, max_depth = 0, leave = 0;  // [m], [m/s], in the wall [m], [s]
-
-  void add(const effect_figures& other);
-};
-
 // A device with its laws, for any mechanism.
 struct scene_bench {
   std::string device;
@@ -76,11 +63,6 @@ struct scene_bench {
   std::vector<scene_law> laws;
   // Runs this number of hands at specimen i under law j.
   std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, std::uint64_t hands)> run;
-  std::vector<scene_effect> effects = {};
-  std::vector<scene_law> effect_laws = {};
-  // Runs this number of hands at effect i under law j.
-  std::function<effect_figures(bool has_wall, std::size_t i, std::size_t j, std::uint64_t hands)> run_effect =
-      {};
 };
 scene_bench planar_bench();
 scene_bench spatial_bench();

@@ -2,11 +2,10 @@
 
 #include "batch.hpp"
 #include "markdown.hpp"
-#include "planar_run.hpp"
+#include "random_plane.hpp"
 
 #include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/plant/brakes/presliding_brake.hpp>
-#include <passive_haptics/plant/random_device.hpp>
 
 #include <algorithm>
 #include <array>
@@ -36,26 +35,6 @@ struct outcome {
   double pushed;  // the same according to the calculator, share of the path
 };
 
-tendon tendon_of(double inertia) {
-  ph::tendon_two_link_parameters<double> p;
-  for (double* mass : {&p.mass_1, &p.mass_2, &p.handle_mass, &p.rotor_inertia_1, &p.rotor_inertia_2})
-    *mass *= inertia;
-  return tendon(p);
-}
-
-ph::contact_metrics follow_plane(const device_here& d, double presliding,
-                                 const any_control<tendon>& control) {
-  ph::brake_models_of<tendon, brake> brakes;
-  for (std::size_t i = 0; i < brakes.size(); ++i) {
-    brakes[i].model = d.brakes[i];
-    brakes[i].presliding = presliding;
-  }
-  ph::simulated_device plant(tendon_of(d.inertia), brakes, d.hand.mass, d.plane.q);
-  plant.set_motion(d.plane.q, d.plane.qd);
-  return ph::follow_wall(plant, control, ph::half_space<2>(d.plane.surface, d.plane.normal),
-                         ph::following_hand<double, 2>(d.plane.direction, d.plane.start, d.hand), d.run);
-}
-
 // Share of the path on which the residual torques push out a sliding hand.
 double pushed_out_share(const device_here& d, double residual) {
   constexpr int places = 40;
@@ -79,15 +58,14 @@ outcome follow_one(const brake_row& row, std::uint64_t seed, std::size_t number)
   ph::device_ranges ranges;
   ranges.residual_torque = {row.residual, row.residual};
   const device_here d = ph::draw_device(tendon_of(1), where, seed, number, ranges);
-  const ph::half_space<2> wall(d.plane.surface, d.plane.normal);
-  ph::controller control(tendon_of(1), d.known_brakes,
-                         ph::held_scene(ph::scene(ph::wall(wall, d.wall_stiffness)), 1 / d.environment_rate),
-                         ph::velocity_direct_control());
-  outcome o{follow_plane(d, row.presliding, control), false, pushed_out_share(d, row.residual)};
-  const auto released =
-      follow_plane(d, row.presliding, [](const auto&) { return ph::step_result<tendon>(); });
-  o.held = released.never_touches() || released.separates() || released.depth_mean < 0;
-  return o;
+  ph::brake_models_of<tendon, brake> brakes;
+  for (std::size_t i = 0; i < brakes.size(); ++i) {
+    brakes[i].model = d.brakes[i];
+    brakes[i].presliding = row.presliding;
+  }
+  const tendon real = tendon_of(d.inertia);
+  return {follow_plane<tendon>(real, brakes, d, velocity_control(tendon_of(1), d.known_brakes, d)),
+          is_held(real, brakes, d), pushed_out_share(d, row.residual)};
 }
 
 }  // namespace
@@ -119,12 +97,11 @@ std::string soft_brakes(std::uint64_t seed) {
       deep += figures.is_deep();
       if (!figures.is_deep()) spread.push_back(figures.depth_std);
     }
-    std::sort(spread.begin(), spread.end());
     table += markdown_row({written("%g", 1e3 * rows[j].presliding), written("%g", rows[j].residual),
                            written("%d", ends[0]), written("%d", ends[1]), written("%d", ends[2]),
                            written("%d", held), written("%d", pushed), written("%d", both),
                            written("%d", separating), written("%d", never), written("%d", deep),
-                           written("%.3f", spread.empty() ? 0 : 1e3 * spread[spread.size() / 2])});
+                           written("%.3f", 1e3 * median(spread))});
   }
   return table;
 }

@@ -1,5 +1,7 @@
 #include "space.hpp"
 
+#include "rods.hpp"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -7,7 +9,6 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
-#include <variant>
 
 namespace experiments {
 namespace {
@@ -16,22 +17,6 @@ using space_vector = ph::vector<double, 3>;
 constexpr double gap = 0.004, approach = 0.1,
                  speed = 0.05;  // at the start [m], [m/s], and along the wall [m/s]
 constexpr double max_time = 8;  // [s]
-
-// Three revolute joints, 0.1 m of column, two links of 0.15 m: uniform rods of 0.2 kg, 0.1 kg at the handle.
-using arm = ph::serial_chain_with_inertia<double, 3, 3>;
-arm make_arm() {
-  const space_vector base(0, 0, 0), shoulder(0, 0, 0.1), elbow(0.15, 0, 0.1), handle(0.3, 0, 0.1);
-  ph::serial_chain_parameters<double, 3, 3> geometry;
-  geometry.joints = {ph::revolute_joint<double>({0, 0, 1}, base),
-                     ph::revolute_joint<double>({0, -1, 0}, shoulder),
-                     ph::revolute_joint<double>({0, -1, 0}, elbow)};
-  geometry.handle = handle;
-  ph::serial_chain_inertia<double, 3, 3> inertia;
-  inertia.links = {ph::uniform_rod<double, 3>(0.2, base, shoulder),
-                   ph::uniform_rod<double, 3>(0.2, shoulder, elbow),
-                   ph::uniform_rod<double, 3>(0.2, elbow, handle)};
-  return arm(geometry, inertia);
-}
 
 // The place of the experiment: a mechanism, the middle and length of the path, nearby joint positions.
 template <class M>
@@ -157,26 +142,7 @@ space_result follow(const place<M>& at, const std::vector<touch>& walls, const a
   return result;
 }
 
-// A plane or a ball.
-class any_wall {
- public:
-  static constexpr int dimension = 3;
-  template <class Shape>
-  explicit any_wall(Shape shape) : shape_(std::move(shape)) {}
-
-  double distance(const ph::point<3>& x) const {
-    return std::visit([&](const auto& s) { return s.distance(x); }, shape_);
-  }
-  ph::point<3> gradient(const ph::point<3>& x) const {
-    return std::visit([&](const auto& s) { return s.gradient(x); }, shape_);
-  }
-  ph::matrix<double, 3, 3> hessian(const ph::point<3>& x) const {
-    return std::visit([&](const auto& s) { return ph::surface_curvature(s, x); }, shape_);
-  }
-
- private:
-  std::variant<ph::half_space<3>, ph::ball<3>> shape_;
-};
+using any_wall = one_of<ph::half_space<3>, ph::ball<3>>;
 
 template <class M, class... Walls>
 space_result follow_walls(const place<M>& at, law which, const setup& how, const Walls&... shapes) {
@@ -237,7 +203,7 @@ space_result follow_in_space(space_device device, space_wall wall, law which, co
     return follow_at(place<ph::delta<double>>{delta, middle, 0.06, delta.inverse(middle).q}, wall, which,
                      how);
   }
-  return follow_at(place<arm>{make_arm(), {0.2, 0.03, 0.1}, 0.1, {0.2, 0.9, -1.5}}, wall, which, how);
+  return follow_at(place<arm_3r>{arm_3r_of(1), {0.2, 0.03, 0.1}, 0.1, {0.2, 0.9, -1.5}}, wall, which, how);
 }
 
 }  // namespace experiments

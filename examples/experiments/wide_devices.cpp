@@ -2,11 +2,10 @@
 
 #include "batch.hpp"
 #include "markdown.hpp"
-#include "planar_run.hpp"
+#include "random_plane.hpp"
+#include "rods.hpp"
 
 #include <passive_haptics/design/undisplayable_share.hpp>
-#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
-#include <passive_haptics/plant/random_device.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -33,16 +32,6 @@ struct kind {
   M (*make)(double s);
   ph::workspace<M> where;
 };
-
-template <class M>
-ph::contact_metrics follow_plane(const M& real, const ph::random_device<M>& d,
-                                 const any_control<M>& control) {
-  constexpr int D = M::task_dimension;
-  ph::simulated_device<M> plant(real, d.brakes, d.hand.mass, d.plane.q);
-  plant.set_motion(d.plane.q, d.plane.qd);
-  return ph::follow_wall(plant, control, ph::half_space<D>(d.plane.surface, d.plane.normal),
-                         ph::following_hand<double, D>(d.plane.direction, d.plane.start, d.hand), d.run);
-}
 
 // Share of the way along the surface on which the brakes cannot display this push [N].
 template <class M>
@@ -92,11 +81,8 @@ ph::contact_metrics follow_under_law(const kind<M>& k, const ph::random_device<M
       late_cycles = static_cast<std::size_t>(
           std::lround(max_dead_time * ph::uniform_number(bits) / d.run.control_period));
   }
-  const ph::half_space<M::task_dimension> wall(d.plane.surface, d.plane.normal);
-  ph::controller control(k.make(inertia), brakes,
-                         ph::held_scene(ph::scene(ph::wall(wall, d.wall_stiffness)), 1 / d.environment_rate),
-                         ph::velocity_direct_control(constants));
-  return follow_plane<M>(k.make(d.inertia), d, late(control, late_cycles));
+  const auto control = velocity_control(k.make(inertia), brakes, d, constants);
+  return follow_plane<M>(k.make(d.inertia), d.brakes, d, late(control, late_cycles));
 }
 
 template <class M>
@@ -105,10 +91,8 @@ outcome follow_one(const kind<M>& k, std::uint64_t seed, std::size_t number, bel
   d.run.time_step = time_step;
   const M real = k.make(d.inertia);
   outcome o{follow_under_law(k, d, seed, number, what)};
-  if (o.figures.separates() || o.figures.floats() || o.figures.never_touches()) {
-    const auto released = follow_plane<M>(real, d, [](const auto&) { return ph::step_result<M>(); });
-    o.held = released.never_touches() || released.separates() || released.depth_mean < 0;
-  }
+  if (o.figures.separates() || o.figures.floats() || o.figures.never_touches())
+    o.held = is_held(real, d.brakes, d);
   if (o.figures.is_deep()) {
     const double push = d.hand.push + d.hand.normal_stiffness * (d.hand.target_depth - 0.01);
     o.nothing = share_without(real, k, d, 0);
@@ -139,20 +123,11 @@ wide_row follow_all(const kind<M>& k, std::uint64_t seed, std::size_t count, bel
     else if (o.weak > 0.1) ++row.deep_weak;
     if (!o.figures.is_deep()) spread.push_back(o.figures.depth_std);
   }
-  std::sort(spread.begin(), spread.end());
-  if (!spread.empty()) row.median_std = spread[spread.size() / 2];
+  row.median_std = median(spread);
   return row;
 }
 
 using tendon = ph::tendon_two_link<double>;
-using arm_3r = ph::serial_chain_with_inertia<double, 3, 3>;
-
-tendon tendon_of(double s) {
-  ph::tendon_two_link_parameters<double> p;
-  for (double* mass : {&p.mass_1, &p.mass_2, &p.handle_mass, &p.rotor_inertia_1, &p.rotor_inertia_2})
-    *mass *= s;
-  return tendon(p);
-}
 
 ph::delta<double> delta_of(double s) {
   ph::delta_parameters<double> p;
@@ -161,21 +136,6 @@ ph::delta<double> delta_of(double s) {
   p.platform_mass *= s;
   p.rotor_inertia *= s;
   return ph::delta<double>(p);
-}
-
-// 0.1 m of column, two links of 0.15 m.
-arm_3r arm_of(double s) {
-  using V = ph::vector<double, 3>;
-  const V base(0, 0, 0), shoulder(0, 0, 0.1), elbow(0.15, 0, 0.1), handle(0.3, 0, 0.1);
-  ph::serial_chain_parameters<double, 3, 3> g;
-  g.joints = {ph::revolute_joint<double>({0, 0, 1}, base), ph::revolute_joint<double>({0, -1, 0}, shoulder),
-              ph::revolute_joint<double>({0, -1, 0}, elbow)};
-  g.handle = handle;
-  ph::serial_chain_inertia<double, 3, 3> i;
-  i.links = {ph::uniform_rod<double, 3>(0.2 * s, base, shoulder),
-             ph::uniform_rod<double, 3>(0.2 * s, shoulder, elbow),
-             ph::uniform_rod<double, 3>(0.2 * s, elbow, handle)};
-  return arm_3r(g, i);
 }
 
 template <int Brakes>
@@ -215,8 +175,7 @@ std::pair<int, double> separating(std::uint64_t seed, belief what, double rest_d
     count += f.separates();
     max_depth.push_back(f.max_depth);
   }
-  std::sort(max_depth.begin(), max_depth.end());
-  return {count, max_depth[max_depth.size() / 2]};
+  return {count, median(max_depth)};
 }
 
 }  // namespace
@@ -248,7 +207,7 @@ std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, 
   const auto count = [&](double all) { return static_cast<std::size_t>(std::ceil(share * all)); };
   const std::size_t few = count(60);
   const kind<ph::delta<double>> deltas{"delta", delta_of, {{-0.2, -0.2, -0.2}, {1.1, 1.1, 1.1}, 0.05}};
-  const kind<arm_3r> arms{"3R arm", arm_of, {{-3, 0, -2.4}, {3, 1.6, -0.6}, 0.1}};
+  const kind<arm_3r> arms{"3R arm", arm_3r_of, {{-3, 0, -2.4}, {3, 1.6, -0.6}, 0.1}};
   const kind<ph::five_bar<double, 2>> fives{"five-bar", five_bar_of<2>, {{1.5, 0}, {3.1, 1.6}, 0.04}};
   const kind<ph::five_bar<double, 4>> four_brakes{
       "five-bar, four brakes", five_bar_of<4>, {{1.5, 0}, {3.1, 1.6}, 0.04}};

@@ -61,37 +61,10 @@ struct any_bench {
   std::function<double()> wait, counts, reading, time;
   std::function<void(double)> set;
 };
-struct any_bench_port {
-  static constexpr int encoder_count = 1, brake_count = 1;
-  const any_bench* bench;
-  std::uint32_t sequence = 0;
-
-  std::string open() { return {}; }
-  ph::port_status read(ph::port_sample<1>& sample) noexcept {
-    sample = {bench->time(), ++sequence, {bench->counts()}, {true}};
-    return ph::port_status::ok;
-  }
-  ph::port_status write(const ph::brake_currents<1>& currents) noexcept {
-    bench->set(currents[0]);
-    return ph::port_status::ok;
-  }
-  void release() noexcept { bench->set(0); }
-};
-struct any_torque_sensor {
-  static constexpr int channel_count = 1;
-  const any_bench* bench;
-  std::uint32_t sequence = 0;
-
-  std::string open() { return {}; }
-  ph::port_status read(ph::port_sample<1>& sample) noexcept {
-    sample = {bench->time(), ++sequence, {bench->reading()}, {true}};
-    return ph::port_status::ok;
-  }
-};
 inline samples record(const any_bench& bench, double duration, const function& current,
                       const ph::bench_parameters& p) {
-  any_bench_port port{&bench};
-  any_torque_sensor sensor{&bench};
+  example::simulated_bench_port<const any_bench> port{&bench};
+  example::simulated_torque_sensor<const any_bench> sensor{&bench};
   return ph::record_on_bench(port, sensor, p, duration, current, bench.wait);
 }
 

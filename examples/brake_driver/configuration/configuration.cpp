@@ -276,8 +276,8 @@ void read_port(toml_section from, configuration& c) {
 
 void read_simulation(toml_section from, configuration& c) {
   if (!c.device.brake_models.empty())
-    for (const char* key : {"brake", "brake_lag"})
-      from.refuse(key, "no brakes in [simulation], as the file has [[brakes.model]]; remove one of the two");
+    from.refuse("brake_lag",
+                "no lag in [simulation], as the file has [[brakes.model]]; remove one of the two");
   c.simulation.direction.resize(static_cast<std::size_t>(c.mechanism.dimension()));
   from.read_all(c.simulation);
 }

@@ -6,10 +6,7 @@
 
 #include <catalogue/catalogue.hpp>
 #include <passive_haptics/driver/clock.hpp>
-#include <passive_haptics/plant/brakes/compensated_brake.hpp>
-#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
-#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
-#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
 #include <passive_haptics/plant/force_sensor.hpp>
 
@@ -92,37 +89,19 @@ class simulation {
   static constexpr std::array somewhere{100.0, turn - 200};
   inline static const spatial offset{0.3, -0.2, 0.1};  // [N]
 
-  // Models of the file, or one of the kind in [simulation] per curve
+  // Models of the file, or Coulomb friction with the limit and residual torque of each curve
   static std::vector<ph::runtime::run_time_brake> real_brakes(const configuration& c) {
     std::vector<ph::runtime::run_time_brake> all;
     for (const auto& model : c.device.brake_models)
       all.push_back(ph::runtime::entry_of(catalogue().brake_models(), model.name).make(model.parameters));
-    if (all.empty())
-      for (int i = 0; i < c.mechanism.brakes(); ++i)
-        all.push_back(brake_of(c.curves[static_cast<std::size_t>(i)], c.simulation));
-    return all;
-  }
-
-  static ph::runtime::run_time_brake brake_of(const ph::brake_curve& curve, const simulation_parameters& p) {
-    const auto with = [&](auto model) {
-      if constexpr (requires { model.torque_limit; })
-        model.torque_limit = torque_of_current(curve, curve.current_limit);
-      model.time_constant = p.brake_lag;
-      model.residual.strength = curve.residual_torque;
-      return model;
-    };
-    using ph::runtime::run_time_brake;
-    switch (p.brake) {
-      case brake_kind::coulomb: break;
-      case brake_kind::stribeck:
-        return run_time_brake(ph::stribeck_brake<double>{.coulomb = with(ph::coulomb_brake<double>())});
-      case brake_kind::magnetorheological:
-        return run_time_brake(with(ph::magnetorheological_brake<double>()));
-      case brake_kind::eddy_current:  // its board converts a torque to a current by the rate
-        return run_time_brake(
-            ph::compensated_brake<ph::eddy_current_brake<double>>{with(ph::eddy_current_brake<double>())});
+    for (int i = 0; i < c.mechanism.brakes() && c.device.brake_models.empty(); ++i) {
+      const ph::brake_curve& curve = c.curves[static_cast<std::size_t>(i)];
+      all.emplace_back(
+          ph::coulomb_brake<double>{.torque_limit = torque_of_current(curve, curve.current_limit),
+                                    .time_constant = c.simulation.brake_lag,
+                                    .residual = {.strength = curve.residual_torque}});
     }
-    return run_time_brake(with(ph::coulomb_brake<double>()));
+    return all;
   }
 
   template <class V>

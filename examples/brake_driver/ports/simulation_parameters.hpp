@@ -11,9 +11,6 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// Types of simulated brakes (passive_haptics/plant/brakes).
-enum class brake_kind { coulomb, stribeck, magnetorheological, eddy_current };
-
 /// A hand that repeatedly moves along the first wall with a push, lifts off and returns; and a sensor with
 /// noise.
 struct simulation_parameters {
@@ -24,10 +21,10 @@ struct simulation_parameters {
   double speed = 0.05;                  ///< Along the wall [m/s].
   double push = 2;         ///< Into the wall [N]; a quarter of it away from the wall on the way back.
   double hand_mass = 0.5;  ///< [kg]
-  brake_kind brake = brake_kind::coulomb;  ///< With limit and residual torque of its curve.
-  double brake_lag = 0.020;                ///< Time constant of the simulated brakes [s].
-  double sensor_noise = 0.02;              ///< Standard deviation of each force channel [N].
-  std::uint64_t seed = 1;                  ///< Of that noise.
+  /// Time constant of the brakes [s]; limit and residual torque are those of their curves.
+  double brake_lag = 0.020;
+  double sensor_noise = 0.02;  ///< Standard deviation of each force channel [N].
+  std::uint64_t seed = 1;      ///< Of that noise.
   double watchdog = 1;  ///< Time without currents after which the simulated board releases the brakes [s].
   std::string wire;     ///< A new file with the applied currents (simulated_wire.hpp); empty for none.
 
@@ -40,7 +37,6 @@ struct simulation_parameters {
         member("path", &p::path, "m", range::positive), member("speed", &p::speed, "m/s", range::positive),
         member("push", &p::push, "N", range::not_negative),
         member("hand_mass", &p::hand_mass, "kg", range::positive),
-        ph::choice("brake", &p::brake, "coulomb, stribeck, magnetorheological, eddy_current"),
         member("brake_lag", &p::brake_lag, "s", range::positive).suspicious_above(1),
         member("sensor_noise", &p::sensor_noise, "N", range::not_negative), member("seed", &p::seed),
         member("watchdog", &p::watchdog, "s", range::positive), member("wire", &p::wire));

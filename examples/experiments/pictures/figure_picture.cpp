@@ -1,5 +1,4 @@
 // Figs. 8 to 10: eight panels over the path along the wall, one colour per law.
-#include "../surface.hpp"
 #include "picture_style.hpp"
 #include "pictures.hpp"
 
@@ -46,8 +45,8 @@ std::string figure_table(const test_wall& wall, const std::vector<named_run>& ru
   csv.start_block("surface", "x [m], y [m]");
   for (int k = 0; k < surface_points; ++k) {
     const double x = e.x.low() + (e.x.high() - e.x.low()) * k / (surface_points - 1);
-    csv.add({x, surface_height(wall, x)});
-    e.y.add(1e3 * surface_height(wall, x));
+    csv.add({x, height_before(wall, x)});
+    e.y.add(1e3 * height_before(wall, x));
   }
   return csv.str();
 }

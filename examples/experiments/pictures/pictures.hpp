@@ -24,10 +24,6 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
 // Fig. 5 (b), without and with direct control: pull_back.svg. The force of the tendon device is simulated.
 void draw_pull_back(const std::filesystem::path& directory);
 
-// The tendon device along the wall: one row per law, time from left to right.
-void draw_filmstrip(const std::filesystem::path& directory, const std::string& name, const std::string& title,
-                    const test_wall& wall, const std::vector<named_run>& runs);
-
 // Depth of the first contact (section 5.2).
 struct penetration_row {
   std::string law;

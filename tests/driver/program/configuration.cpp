@@ -157,9 +157,8 @@ TEST_F(a_configuration, takes_each_mechanism_that_it_can_drive) {
        "needs\n"},
       {"[[brakes.model]]",
        "1: brakes.model = [ a table ]: expected 2 tables [[brakes.model]], one for each "},
-      {"[[brakes.model]]\n[[brakes.model]]\n[simulation]\nbrake = \"coulomb\"",
-       "4: simulation.brake = 'coulomb': expected no brakes in [simulation], as the file has "
-       "[[brakes.model]]"},
+      {"[[brakes.model]]\n[[brakes.model]]\n[simulation]\nbrake_lag = 0.1",
+       "4: simulation.brake_lag = 0.1: expected no lag in [simulation], as the file has [[brakes.model]]"},
   });
   const outcome o = check(arm + "[port]\ntype = \"serial\"\n[sensor]\ntype = \"none\"\n");
   EXPECT_EQ(o.status, 0) << o.err;

@@ -117,14 +117,6 @@ TEST_F(picture, pull_back_has_two_triangles) {
   for (const char* colour : {"#0072b2", "#d55e00", "#000000"}) EXPECT_EQ(curves(drawn, colour), 2) << colour;
 }
 
-TEST_F(picture, filmstrip_has_a_row_for_each_law) {
-  draw_filmstrip(directory, "filmstrip", "Planar wall", planar_wall(), short_runs());
-  const std::string drawn = svg("filmstrip");
-  expect_texts(drawn, {"x [m]", "y [m]"});
-  expect_legend(drawn);
-  for (const law l : laws) EXPECT_EQ(curves(drawn, l), 7);
-}
-
 TEST_F(picture, penetration_over_lag_and_speed) {
   std::vector<penetration_row> rows;
   double depth = 1e-3;
@@ -190,8 +182,7 @@ TEST_F(picture, in_space_draws_both_walls_of_an_edge) {
 
 TEST_F(picture, nothing_to_draw_is_refused) {
   EXPECT_THROW(draw_batch(directory, {}), std::invalid_argument);
-  EXPECT_THROW(draw_figure(directory, "none", "", planar_wall(), {}), std::invalid_argument);
-  EXPECT_THROW(draw_filmstrip(directory, "none", "", planar_wall(), {{"a law", {}}}), std::invalid_argument);
+  EXPECT_THROW(draw_figure(directory, "none", "", planar_wall(), {{"a law", {}}}), std::invalid_argument);
   EXPECT_TRUE(std::filesystem::is_empty(directory));
 }
 
