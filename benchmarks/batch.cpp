@@ -1,6 +1,5 @@
 // Many states at once against one cycle after the other, of each shipped mechanism: random states, most of
 // them in contact; and a design map of as many points. What is timed also stores its results.
-#include <passive_haptics/control/batch/batch_controller.hpp>
 #include <passive_haptics/design/map/design_map.hpp>
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -134,7 +133,6 @@ void add(const std::string& name, const M& mechanism, const L& law, double deep,
   const ph::switchable_brakes<M> brakes_alone;
   const auto scene = ph::scene(ph::wall(wall, 1e4), ph::wall(more, 1e4)...);
   ph::controller single(mechanism, brakes, scene, law);
-  const ph::batch_controller batch(mechanism, brakes, scene, law);
   const auto data = std::make_shared<arrays<M>>(draw(mechanism, wall, deep));
   rows.push_back(name);
   const auto add_pass = [&](const std::string& way, auto pass) {
@@ -157,8 +155,8 @@ void add(const std::string& name, const M& mechanism, const L& law, double deep,
     for (std::size_t k = 0; k < state_count; ++k) got[k] = single(data->states[k]);
     benchmark::DoNotOptimize(got.data());
   });
-  add_pass("batch", [data, batch] { batch(data->in(), data->commands()); });
-  add_pass("batch account", [data, batch] { batch(data->in(), data->account()); });
+  add_pass("batch", [data, single] { single.batch(data->in(), data->commands()); });
+  add_pass("batch account", [data, single] { single.batch(data->in(), data->account()); });
   if constexpr (ph::design_map<M>::has_closed_form)
     add_pass("map", [mechanism, points = points_of(mechanism, data->states, wall), limits = brakes_alone,
                      map = ph::design_map<M>()]() mutable {

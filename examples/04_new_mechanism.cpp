@@ -26,6 +26,7 @@ void show(const M& arm) {
   const ph::point<2> x = arm.position(q);
   const ph::half_space<2> wall(x - ph::point<2>(0, 1e-4), {0, -1});  // the handle is 0.1 mm inside
   ph::controller control(arm, ph::brakes_of<M>(), ph::scene(ph::wall(wall)), ph::direct_control());
+  std::cerr << ph::plausibility(arm, control.brakes(), control.scene(), q);  // degrees? millimetres?
 
   std::cout << "handle at " << x.transpose() << " m\nJacobian [m/rad]\n"
             << ph::jacobian(arm, q) << "\noptional members: " << to_text(ph::describe(arm)) << "\n";

@@ -22,8 +22,7 @@ int main() {
     w1[k] = -0.5;
   }
 
-  const ph::batch_controller batch(arm, ph::brakes_of<device>(), ph::scene(ph::wall(wall)),
-                                   ph::direct_control());
+  const ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(wall)), ph::direct_control());
 
   std::vector<double> capacity_1(n), capacity_2(n), angle_cosine(n);
   std::vector<ph::status> outcome(n);
@@ -33,7 +32,7 @@ int main() {
                                           .outcome = outcome,
                                           .display = display,
                                           .approximation_cosine = angle_cosine};
-  batch(states, results);
+  control.batch(states, results);
   const auto approximate = std::count(display.begin(), display.end(), ph::display_class::approximate);
   std::cout << approximate << " of " << n << " places display the wall approximately\n";
 
@@ -41,7 +40,7 @@ int main() {
   const std::size_t parts = 4;
   const auto run_part = [&](std::size_t part) {
     const std::size_t first = n * part / parts, count = n * (part + 1) / parts - first;
-    batch(part_of(states, first, count), part_of(results, first, count));
+    control.batch(part_of(states, first, count), part_of(results, first, count));
   };
   for (std::size_t part = 0; part < parts; ++part) run_part(part);  // in any order, also at once
 

@@ -1,5 +1,6 @@
 """The pieces of code of the page python.md."""
 
+# The imports
 import os
 import pickle
 import tempfile
@@ -9,7 +10,7 @@ import numpy as np
 import passive_haptics as ph
 from passive_haptics.arrays import Array
 
-stl_file = os.path.join(os.path.dirname(__file__), "mesh_file.stl")
+os.chdir(os.path.dirname(os.path.abspath(__file__)))
 
 # The loop
 arm = ph.tendon_two_link()  # the paper's device: two links of 0.15 m, both brakes at the base
@@ -41,13 +42,19 @@ q, outcome = arm.inverse([0.1, 0.226])  # 1 mm behind the wall
 result = control(ph.device_state(time=0, q=q, qd=[0.5, -0.2], hand_force=[0.5, 2]))
 print(result.capacity, result.display.text)
 
+# A device file
+device_of_file = ph.load("../../examples/catalogue/devices/paper.toml")
+control_of_file = device_of_file.controller()
+plant = device_of_file.plant(q=[1.8, -1.2])
+print(device_of_file.mechanism, device_of_file.law)
+
 # Many states
 random = np.random.default_rng(1)
 positions = q + random.uniform(-0.1, 0.1, (100_000, 2))
 rates = random.uniform(-1, 1, (100_000, 2))
 pushes = random.uniform(-4, 4, (100_000, 2))
 results = control.batch(positions, rates, pushes, fields=["display", "alpha"])
-results = control.batch(positions, rates, -pushes, out=results)  # into the arrays of the first call
+results = control.batch(positions, rates, -pushes, out=results, workers=-1)  # into the same arrays, on all processors
 share = np.mean(results.display == ph.display_class.approximate)
 print(f"{share:.0%} of the states are displayed approximately")
 
@@ -76,7 +83,7 @@ print(f"{metrics.separations} separations, {1e3 * metrics.depth_mean:.1f} mm dee
 deepest = samples["time"][np.argmax(samples["depth"])]
 
 # Meshes
-mesh, remarks = ph.read_stl(stl_file, metres_per_unit=1e-3)  # also read_obj and read_ply
+mesh, remarks = ph.read_stl("mesh_file.stl", metres_per_unit=1e-3)  # also read_obj and read_ply
 print(remarks, mesh.plausibility(reach=0.4))  # nothing, if all is well
 roof = ph.mesh(
     np.array([[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.1, 0.1, 0.05]]),  # vertices [m]
@@ -131,12 +138,6 @@ def boom_jacobian(q: Array) -> Array:
 crane = ph.python_mechanism(dof=2, task_dimension=2, position=boom, jacobian=boom_jacobian)
 relay = ph.controller(crane, crane.brakes(), ph.scene(wall), crane.recommended_law())
 result = relay(ph.device_state(time=0, q=[1.2, 0.25], qd=[0.1, 0.1], hand_force=[0.5, 2]))
-
-# A device file
-device_of_file = ph.load(os.path.join(os.path.dirname(__file__), "../../examples/catalogue/devices/paper.toml"))
-control = device_of_file.controller()
-plant = device_of_file.plant(q=[1.8, -1.2])
-print(device_of_file.mechanism, device_of_file.law)
 
 # Values
 assert pickle.loads(pickle.dumps(control)) == control

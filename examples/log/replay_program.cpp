@@ -2,6 +2,7 @@
 #include <log/replay_program.hpp>
 
 #include <command_line.hpp>
+#include <driver_keys.hpp>
 #include <log/decision.hpp>
 #include <log/device_name.hpp>
 #include <output_file.hpp>
@@ -69,20 +70,6 @@ std::string made_up_log() {
   return log;
 }
 
-// Skips the other keys of brake_driver.
-void pass_over_driver(ph::runtime::toml_section& file) {
-  for (const char* key : {"log", "encoders", "homing", "port", "loop", "safety", "simulation"})
-    file.pass_over(key);
-  auto brakes = file.section("brakes");
-  for (const char* key : {"residual_torque", "torque_per_ampere", "table_1", "table_2", "current_limit",
-                          "hysteresis", "loss_per_kelvin", "continuous_current", "heat", "max_rise_rate"})
-    brakes.pass_over(key);
-  auto sensor = file.section("sensor");
-  std::string type = "simulated";
-  sensor.read("type", type, {"simulated", "comedi", "net_ft", "none"});
-  sensor.pass_over_others();
-}
-
 // Name of the device file; empty for the built-in device.
 std::string device_file(const replay_options& chosen) {
   if (!chosen.config.empty() || chosen.log.empty()) return chosen.config;
@@ -100,8 +87,7 @@ std::unique_ptr<ph::runtime::any_controller> controller_from(const std::string& 
   toml_section file = name.empty() ? toml_section::text("built-in device", "law.type = \"direct_control\"")
                                    : toml_section::file(name);
   const auto device = ph::runtime::read_device(file, all);
-  pass_over_driver(file);
-  file.finish();
+  finish_without_driver(file);
   std::cerr << device.remarks;
   return device.make_controller(all, *device.make_mechanism(all));
 }

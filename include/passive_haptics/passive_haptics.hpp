@@ -46,7 +46,7 @@
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/force/effects/wall_friction.hpp>
 
-#include <passive_haptics/control/batch/batch_controller.hpp>
+#include <passive_haptics/control/batch_results.hpp>
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>

@@ -5,6 +5,13 @@
 ph::simulated_device<table> plant(table(), {}, 0.5, {0, 0});
 #endif
 
+#ifdef simulated_device_with_swapped_arguments
+// error: passive_haptics: the arguments of a simulated_device are (mechanism, brakes,
+// hand_mass, q), in this order
+#include <passive_haptics/plant/simulated_device.hpp>
+ph::simulated_device plant(table(), ph::brakes_of<table>(), V2(0, 0), 0.5);
+#endif
+
 #ifdef plant_without_dynamics
 // error: passive_haptics: a simulated device needs a mechanism that models Dynamics
 #include <passive_haptics/plant/simulated_device.hpp>

@@ -120,8 +120,10 @@ TEST(a_release_policy, that_keeps_current_needs_a_device_with_a_watchdog) {
     safe port({&device}, {&device}, released_by(at_release));
     if (at_release.policy != ph::release_policy::zero) {  // 0 A at once needs none
       EXPECT_EQ(port.open(),
-                "at_release.policy: expected zero: a device without a watchdog keeps its currents; set zero, "
-                "or use a device with a watchdog");
+                std::string("at_release.policy = ") +
+                    (at_release.policy == ph::release_policy::ramp ? "ramp" : "hold") +
+                    ": expected zero: a device without a watchdog keeps its currents; set zero, or use a "
+                    "device with a watchdog");
       EXPECT_EQ(port.state(), ph::port_state::closed);
       EXPECT_GE(device.releases, 1);
       device.watchdog = 0.02;

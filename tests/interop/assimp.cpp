@@ -122,10 +122,10 @@ TEST(a_scene_of_assimp, is_checked_before_it_is_used) {
   }
   scene_of_assimp no_part, no_vertices;
   no_part.scene.mRootNode->mMeshes[0] = 7;
-  EXPECT_EQ(no_part.error(), "a part that is not there; the file is damaged");
+  EXPECT_EQ(no_part.error(), "index of a part = 7: expected less than 1; the file is damaged");
   delete[] no_vertices.mesh().mVertices;
   no_vertices.mesh().mVertices = nullptr;
-  EXPECT_EQ(no_vertices.error(), "vertices without places; the file is damaged");
+  EXPECT_EQ(no_vertices.error(), "vertices without positions: expected one for each; the file is damaged");
 }
 
 TEST_F(a_mesh_file, of_assimp_with_bytes_gone_wrong_never_gives_a_mesh_that_is) {

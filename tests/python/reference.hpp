@@ -1,7 +1,8 @@
 // The cycles of C++ with which those of Python are compared: of one device, under each of its laws.
 #pragma once
 
-#include <passive_haptics/control/batch/batch_controller.hpp>
+#include <passive_haptics/control/batch_results.hpp>
+#include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/recommended_law.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/pipelines/several_walls.hpp>
@@ -116,12 +117,12 @@ struct columns {
 };
 
 // The results of a batch, as those of single cycles are written.
-template <class M, class Batch>
-void write_batch(const Batch& batch, const std::vector<ph::device_state<M>>& states, doubles_out& out) {
+template <class M, class C>
+void write_batch(const C& control, const std::vector<ph::device_state<M>>& states, doubles_out& out) {
   constexpr int n = M::dof, d = M::task_dimension, m = M::brake_count;
   const std::size_t N = states.size();
   columns<n> q(N), qd(N);
-  columns<d> force(N), desired(N), control(N);
+  columns<d> force(N), desired(N), approximated(N);
   columns<m> capacity(N), torque(N), coefficients(N), signs(N);
   std::vector<double> time(N), alpha(N), cosine(N);
   std::vector<ph::status> outcome(N);
@@ -135,14 +136,14 @@ void write_batch(const Batch& batch, const std::vector<ph::device_state<M>>& sta
       q.of[std::size_t(i)][k] = states[k].q[i], qd.of[std::size_t(i)][k] = states[k].qd[i];
     for (int i = 0; i < d; ++i) force.of[std::size_t(i)][k] = states[k].hand_force[i];
   }
-  batch(ph::batch_states<M>{q.template spans<const double>(), qd.template spans<const double>(),
-                            force.template spans<const double>(), time},
-        ph::batch_results<M>{capacity.spans(), outcome, torque.spans(), power, display, saturated,
-                             wall_number, alpha, cosine, desired.spans(), control.spans(),
-                             coefficients.spans(), signs.spans()});
-  const auto row = [&]<int C>(const columns<C>& c, std::size_t k) {
-    ph::vector<double, C> v;
-    for (int i = 0; i < C; ++i) v[i] = c.of[std::size_t(i)][k];
+  control.batch(ph::batch_states<M>{q.template spans<const double>(), qd.template spans<const double>(),
+                                    force.template spans<const double>(), time},
+                ph::batch_results<M>{capacity.spans(), outcome, torque.spans(), power, display, saturated,
+                                     wall_number, alpha, cosine, desired.spans(), approximated.spans(),
+                                     coefficients.spans(), signs.spans()});
+  const auto row = [&]<int Size>(const columns<Size>& c, std::size_t k) {
+    ph::vector<double, Size> v;
+    for (int i = 0; i < Size; ++i) v[i] = c.of[std::size_t(i)][k];
     return v;
   };
   for (std::size_t k = 0; k < N; ++k) {
@@ -150,7 +151,8 @@ void write_batch(const Batch& batch, const std::vector<ph::device_state<M>>& sta
     r.capacity = row(capacity, k), r.torque = row(torque, k), r.outcome = outcome[k], r.power = power[k];
     r.display = display[k], r.saturated = saturated[k] != 0, r.wall_number = wall_number[k],
     r.alpha = alpha[k];
-    r.approximation_cosine = cosine[k], r.desired_force = row(desired, k), r.control_force = row(control, k);
+    r.approximation_cosine = cosine[k], r.desired_force = row(desired, k),
+    r.control_force = row(approximated, k);
     r.cone_coefficients = row(coefficients, k), r.signs = row(signs, k);
     out.add_result(r);
   }
@@ -162,12 +164,10 @@ void run(const M& mechanism, const L& law, const std::string& mode, const std::s
          const std::string& to) {
   const task<M> given(in);
   doubles_out out(to);
-  if (mode == "batch") {
-    write_batch<M>(ph::batch_controller(mechanism, given.brakes, given.scene(), law), given.states, out);
-  } else {
-    ph::controller control(mechanism, given.brakes, given.scene(), law);
+  ph::controller control(mechanism, given.brakes, given.scene(), law);
+  if (mode == "batch") write_batch<M>(control, given.states, out);
+  else
     for (const auto& state : given.states) out.add_result(control(state));
-  }
 }
 
 // By the name of the law; the recommended one is called so. Returns whether there is such a law.

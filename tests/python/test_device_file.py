@@ -38,11 +38,21 @@ def test_the_paper_s_device():
     assert device.has_force_sensor
 
 
-def test_an_error_names_file_and_line(tmp_path):
+@pytest.mark.parametrize("text, expected", [
+    ('[mechanism]\ntype = "five_bra"\n', 'mine.toml:2: mechanism.type = .five_bra.*did you mean "five_bar"'),
+    ("[mechanism]\nlenght_1 = 0.2\n", "mine.toml:2: unknown key 'mechanism.lenght_1': expected .*did you mean \"length_1\""),
+    ("[laww]\n", "mine.toml:1: unknown key 'laww': expected .*did you mean \"law\""),
+])  # fmt: skip
+def test_an_error_names_file_and_line(tmp_path, text, expected):
     path = tmp_path / "mine.toml"
-    path.write_text('[mechanism]\ntype = "five_bra"\n')
-    with pytest.raises(ValueError, match='mine.toml:2: mechanism.type = .five_bra.*did you mean "five_bar"'):
+    path.write_text(text)
+    with pytest.raises(ValueError, match=expected):
         ph.load(path)
+
+
+@pytest.mark.parametrize("name", ["comedi", "serial", "simulated", "xy_table"])
+def test_keys_of_the_driver_are_ignored(name):
+    assert ph.load(os.path.join(DEVICES, "..", "..", "brake_driver", f"{name}.toml")).mechanism.dof == 2
 
 
 PLANE = '[[walls]]\ntype = "half_space"\nsurface_point = [0, 0.225]\nnormal = [0, -1]\nstiffness = 1e4\n'

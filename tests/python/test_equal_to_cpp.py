@@ -86,11 +86,13 @@ def test_batches(device, law, tmp_path):
     columns = [np.asfortranarray(x) for x in (case.q, case.qd, case.hand_force)]
     by_columns = control.batch(*columns, case.time)
     assert by_columns == by_rows
+    every_other = [np.repeat(x, 2, axis=0)[::2] for x in (case.q, case.qd, case.hand_force)]
+    assert control.batch(*every_other, case.time, workers=-1) == by_rows
     again = control.batch(*columns, case.time, out=by_columns)
     assert again.capacity is by_columns.capacity
     assert again == by_rows
-    fewer = control.batch(*columns, case.time, fields=["alpha"])
-    with pytest.raises(AttributeError, match="torque of a batch_result was not asked for: expected one of capacity, outcome, alpha"):
+    fewer = control.batch(*columns, case.time, fields="alpha")
+    with pytest.raises(AttributeError, match="no torque: expected one of capacity, outcome, alpha; or call batch"):
         fewer.torque
     assert fewer.capacity.tobytes() == by_rows.capacity.tobytes()
     assert control.batch(*columns, case.time, fields=["signs"], out=fewer).signs.tobytes() == by_rows.signs.tobytes()

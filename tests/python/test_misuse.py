@@ -18,6 +18,8 @@ ones = np.zeros(10)
 results = control.batch(rows, rows, rows)
 read_only = control.batch(rows, rows, rows)
 read_only.alpha.flags.writeable = False
+narrow, lists = (control.batch(rows, rows, rows) for _ in range(2))
+narrow.alpha, lists.alpha = np.zeros(10, "f4"), [0.0] * 10
 state = ph.device_state(0, [0.5, 0.5], [0, 0], [0, 0])
 legs = ph.five_bar_with_four_brakes()
 chain = ph.planar_arm([0.1, 0.1, 0.1])
@@ -66,6 +68,14 @@ MISUSES = [
     (lambda: arm.brakes(torque_limit=np.array([True, False])), TypeError, "torque_limit has dtype bool"),
     (lambda: arm.brakes(torque_limit=np.ones((1, 2))), ValueError, "shape of torque_limit = (1, 2): expected 1 axis"),
     (lambda: arm.brakes(torque_limit=np.ma.ones(2)), TypeError, "expected a numpy.ndarray"),
+    (lambda: ph.brakes(1, count=10**8), ValueError, "count = 100000000: expected 1 to 8"),
+    (lambda: ph.brakes([]), ValueError, "count = 0: expected 1 to 8"),
+    (lambda: ph.brakes(1, count="2"), TypeError, "count = '2' (str): expected a whole number"),
+    (lambda: ph.planar_arm(0.3), TypeError, "lengths = 0.3 (float): expected a list or an array of numbers"),
+    (lambda: ph.wall_following_parameters(noise_seed=np.float32(2.5)), TypeError, "noise_seed = 2.5 (numpy.float32): expected a whole"),
+    (lambda: setattr(arm, "length_1", 0.3), AttributeError,
+     "a tendon_two_link does not change: expected a new one, tendon_two_link(..., length_1=0.3)"),
+    (lambda: arm.length_1, AttributeError, "a tendon_two_link has no length_1: expected parameters['length_1']"),
     # Shapes, walls and scenes
     (lambda: ph.half_space(), TypeError, "half_space needs a vector of 2 or 3 numbers among surface_point, normal"),
     (lambda: ph.half_space([0, 0], [0, 0]), ValueError, "|normal| of a half_space = 0: expected a direction"),
@@ -148,6 +158,12 @@ MISUSES = [
     (lambda: arm.passive_fme([1, 2], 0), ValueError, "segments of a passive_fme_outline = 0: expected 1 "),
     (lambda: arm.inverse([0.1, 0.1], "up"), ValueError, "branch = 'up': expected 'left' or 'right'"),
     # Design and simulation
+    (lambda: arm.nearest_force([1, 1], [1, 0.5], [0, 1]), ValueError, "signs = [1, 0.5] (list): expected -1, 0 or 1 for each brake"),
+    (lambda: arm.nearest_force([1, 1], [nan, 1], [0, 1]), ValueError, "signs = [nan, 1] (list): expected -1, 0 or 1"),
+    (lambda: arm.passive_fme([1, 2], 2.5), TypeError, "segments = 2.5 (float): expected a whole number"),
+    (lambda: arm.sink_depth(rows, [1, 0], [0, 1], push="2"), TypeError, "push = '2' (str): expected a number"),
+    (lambda: hand.force(None, [0, 0], [0, 0], [0, 1], 0), TypeError, "time = None (NoneType): expected a number"),
+    (lambda: ph.simulated_device(arm, arm.brakes(), 0.5, "ab"), TypeError, "q = 'ab' (str): expected a list or an array of numbers"),
     (lambda: legs.reference_forces([2, 1]), TypeError, "reference_forces needs as many brakes and joints as task dim"),
     (lambda: legs.passive_fme([2, 1]), TypeError, "passive_fme needs two brakes on two joints in the plane"),
     (lambda: ph.simulated_device(chain, chain.brakes(), 1, [0, 0, 0]), TypeError, "needs a mechanism with inertia"),
@@ -164,32 +180,34 @@ MISUSES = [
     (lambda: ph.follow_wall(arm, control, shape, hand), TypeError, "expected a simulated_device"),
     (lambda: ph.follow_wall(simulated, arm, shape, hand), TypeError, "expected a controller"),
     (lambda: ph.follow_wall(simulated, control, wall, hand), TypeError, "expected a shape"),
-    (lambda: ph.follow_wall(simulated, control, ph.ball([0, 0, 0], 1), hand), ValueError, "shape of another dimension than the device: expected one of 2"),
+    (lambda: ph.follow_wall(simulated, control, ph.ball([0, 0, 0], 1), hand), ValueError, "dimension of the shape = 3: expected 2, that of the device"),
     (lambda: ph.follow_wall(simulated, control, shape, hand, ph.wall_following_parameters(watched_brake=2)), ValueError,
      "watched_brake = 2: expected a brake of the device"),
     # Batches
-    (lambda: control.batch([[0, 0]], rows, rows), ValueError, "shape of qd = (10, 2): expected 1 rows, as q has"),
-    (lambda: control.batch(None, rows, rows), ValueError, "shape of q = (): expected (N, 2), a row for each state"),
+    (lambda: control.batch([[0, 0]], rows, rows), ValueError, "shape of qd = (10, 2): expected (1, 2)"),
+    (lambda: control.batch(None, rows, rows), TypeError, "q = None (NoneType): expected a list or an array of numbers"),
+    (lambda: control.batch([[1, 2], [3]], rows, rows), ValueError, "q = [[1, 2], [3]] (list): expected rows of equal length"),
     (lambda: control.batch(rows.astype(complex), rows, rows), TypeError, "q has dtype complex128: expected real numbers: q.astype(float)"),
     (lambda: control.batch(rows.astype(object), rows, rows), TypeError, "q has dtype object: expected real numbers: q.astype(float)"),
     (lambda: control.batch(np.ma.array(rows), rows, rows), TypeError, "q is a MaskedArray: expected a numpy.ndarray"),
     (lambda: control.batch(rows.view(np.matrix), rows, rows), TypeError, "q is a matrix: expected a numpy.ndarray"),
     (lambda: control.batch(rows.view(subclass), rows, rows), TypeError, "q is a subclass"),
-    (lambda: control.batch(rows[0], rows, rows), ValueError, "shape of q = (2,): expected (N, 2)"),
+    (lambda: control.batch(rows[0], rows, rows), ValueError, "shape of q = (2,): expected 2 axes"),
     (lambda: control.batch(np.zeros((10, 3)), rows, rows), ValueError, "shape of q = (10, 3): expected (N, 2)"),
     (lambda: control.batch(rows.T, rows, rows), ValueError, "shape of q = (2, 10): expected (N, 2)"),
-    (lambda: control.batch(rows, rows[:9], rows), ValueError, "shape of qd = (9, 2): expected 10 rows, as q has"),
-    (lambda: control.batch(rows, rows, rows[:9]), ValueError, "shape of hand_force = (9, 2): expected 10 rows, as q has"),
+    (lambda: control.batch(rows, rows[:9], rows), ValueError, "shape of qd = (9, 2): expected (10, 2)"),
+    (lambda: control.batch(rows, rows, rows[:9]), ValueError, "shape of hand_force = (9, 2): expected (10, 2)"),
     (lambda: control.batch(rows, rows, rows, ones[:9]), ValueError, "length of time = 9: expected 10"),
     (lambda: control.batch(rows, rows, rows, 0.0), TypeError, "time = 0.0 (float): expected a list or an array of numbers"),
     (lambda: control.batch(rows, rows, rows, rows), ValueError, "shape of time = (10, 2): expected 1 axis"),
     (lambda: control.batch(rows, rows), ValueError, "the law needs a hand force"),
-    (lambda: control.batch(rows, rows, rows, fields="alpha"), TypeError, "fields = 'alpha' (str): expected a list"),
     (lambda: control.batch(rows, rows, rows, fields=["force"]), ValueError, "fields has 'force': expected names among capacity, torque, outcome, powe"),
     (lambda: control.batch(rows, rows, rows, fields=[1]), ValueError, "fields has 1: expected names among capacity, torque, outcome, power, dis"),
     (lambda: control.batch(rows, rows, rows, out=rows), TypeError, "expected what batch() returned"),
-    (lambda: control.batch(rows[:5], rows[:5], rows[:5], out=results), ValueError, "shape of out.capacity = (10, 2)"),
-    (lambda: control.batch(rows, rows, rows, out=read_only), ValueError, "out.alpha is read-only"),
+    (lambda: control.batch(rows[:5], rows[:5], rows[:5], out=results), ValueError, "of shape (10, 2), writable: expected an array of float64 of shape (5, 2)"),
+    (lambda: control.batch(rows, rows, rows, out=read_only), ValueError, "out.alpha = float64 of shape (10,), read-only"),
+    (lambda: control.batch(rows, rows, rows, out=narrow), ValueError, "float32 of shape (10,), writable: expected an array of float64 of shape (10,), writable"),
+    (lambda: control.batch(rows, rows, rows, out=lists), ValueError, "out.alpha = [0.0, 0.0, "),
     (lambda: control.batch(rows, rows, results.desired_force, out=results), ValueError,
      "hand_force shares memory with out.desired_force"),
 ]  # fmt: skip

@@ -51,6 +51,10 @@ def test_types_pass_mypy(tmp_path):
     options = dict(cwd=tmp_path, env={**os.environ, "MYPYPATH": os.path.dirname(os.path.dirname(ph.__file__))})
     run("/usr/bin/mypy", "--strict", "-p", "passive_haptics", **options)
     run("/usr/bin/mypy", "--strict", os.path.join(ROOT, "docs", "guide", "python.py"), **options)
+    (tmp_path / "wrong.py").write_text("import passive_haptics as ph\nph.two_link().dofs\nph.plot\n")
+    found = subprocess.run(["/usr/bin/mypy", "--strict", "wrong.py"], text=True, capture_output=True, **options).stdout
+    assert '"two_link" has no attribute "dofs"' in found and "wrong.py:3: error: Module has no attribute" in found
+    assert "Found 2 errors" in found
 
 
 def test_guide_runs():

@@ -217,8 +217,6 @@ def test_it_pickles_if_its_functions_do():
     control = ph.controller(mine, case.brakes(), case.scene(), ph.direct_control())
     state = states_of(case)[150]
     assert pickle.loads(pickle.dumps(control))(state) == control(state)
-    with pytest.raises(TypeError, match="position is a lambda, which cannot be pickled: expected a function of a module"):
-        pickle.dumps(arm(position=lambda q: q))
 
 
 def heavy(**functions):
@@ -226,6 +224,10 @@ def heavy(**functions):
     inertia = {"mass_matrix": np.eye(2), "bias_torque": [0, 0], "bias_acceleration": [0, 0], **functions}
     constants = {name: lambda *q, value=value: value for name, value in inertia.items()}
     return ph.python_mechanism(2, 2, lambda q: q, **constants)
+
+
+def still(mechanism):
+    return ph.simulated_device(mechanism, mechanism.brakes(), 0.5, [0, 1])
 
 
 INERTIA = {"mass_matrix": position, "bias_torque": position, "bias_acceleration": position}
@@ -247,6 +249,9 @@ MISUSES = [
     (lambda: ph.simulated_device(arm(), case.brakes(), 0.5, [0, 1]), TypeError, "simulated_device needs a mechanism with inertia"),
     (lambda: ph.simulated_device(arm(**{**INERTIA, "mass_matrix": lambda q: np.eye(3)}), case.brakes(), 0.5, [0, 1]),
      ValueError, "shape of mass_matrix(q) = (3, 3): expected (2, 2)"),
+    (lambda: still(heavy(mass_matrix=-np.eye(2))), ValueError, "(numpy.ndarray): expected a symmetric matrix, positive definite"),
+    (lambda: still(heavy(mass_matrix=[[1, 0.5], [0, 1]])), ValueError,
+     "mass_matrix(q) = [[1, 0.5], [0, 1]] (list): expected a symmetric matrix, positive definite"),
     (lambda: heavy().jacobian([0, 1]), None, ""),
     (lambda: ph.simulated_device(heavy(bias_torque=[0]), heavy().brakes(), 0.5, [0, 1]).advance(1e-3, [0, 0], [0, 0]),
      ValueError, "length of bias_torque(q, qd) = 1: expected 2"),

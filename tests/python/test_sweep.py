@@ -103,6 +103,8 @@ def test_seeds_and_sizes_that_are_not_valid():
         sweep(experiment, [1, lambda: 2])
     with pytest.raises(ValueError, match="item 3 is given twice"):
         sweep(experiment, [3, 1, 3])
+    with pytest.raises(TypeError, match=r"executor = 4 \(int\): expected an Executor of concurrent.futures"):
+        sweep(experiment, [3], 4)
     with pytest.raises(ValueError, match="experiments_per_task = 0: expected 1 or more"):
         sweep(experiment, [3], experiments_per_task=0)
 
@@ -111,6 +113,7 @@ def test_items_that_are_no_seeds(tmp_path):
     items = [(0.5, "a"), {"length": 0.1}, 0.25, None, 7]
     for _ in range(2):
         assert sweep(experiments.shown, items, file=tmp_path / "items") == [repr(item) for item in items]
+    assert sweep(sum, np.array([[1, 2], [3, 4]])) == [3, 7]
     with pytest.raises(ValueError, match="item 0.25 is given twice"):
         sweep(experiments.shown, [0.25, 0.25])
     with pytest.raises(sweep_error, match="the first of them with item 'no number': ValueError") as caught:

@@ -118,6 +118,17 @@ def test_pickles_and_copies_are_equal(value):
     assert copy.deepcopy(value) == value
 
 
+class painted_arm(ph.tendon_two_link):
+    def __init__(self, colour):
+        super().__init__(length_1=0.2)
+        self.colour = colour
+
+
+def test_a_derived_class_keeps_its_members():
+    arm = pickle.loads(pickle.dumps(painted_arm("red")))
+    assert arm == painted_arm("red") and arm.colour == "red" and arm.parameters["length_1"] == 0.2
+
+
 def test_different_values_are_not_equal():
     for i, a in enumerate(ALL):
         for j, b in enumerate(ALL):
@@ -157,6 +168,9 @@ def test_parameters_are_those_of_the_tables():
     assert ph.tendon_two_link(**arm.parameters) == arm
     with pytest.raises(TypeError):
         hash(arm)
+    chain = ph.planar_arm([0.1, 0.1])
+    chain.parameters["joints"][1]["point"][0] = 9  # of a copy
+    assert chain == ph.planar_arm([0.1, 0.1])
 
 
 def test_branches_of_an_inverse():
@@ -171,6 +185,7 @@ def test_enumerations_have_the_texts_of_the_library():
         assert [member.value for member in kind] == list(range(len(kind)))
         assert "unknown" in _native.text_of(kind.__name__, len(kind))
         assert len({member.text for member in kind}) == len(kind)
+        assert all(f"{member:<20}".rstrip() == str(member) == member.text for member in kind)
         assert not any("unknown" in member.text for member in kind)
 
 
@@ -217,7 +232,7 @@ def test_nearest_pose_leads_to_the_place(name):
     found, outcome = ph.nearest_pose(device, beyond, q)
     assert outcome == ph.status.out_of_reach and np.isfinite(found).all()
     assert ph.nearest_pose(device, beyond * np.nan, q)[1] == ph.status.state_not_finite
-    with pytest.raises(ValueError, match="shape of x"):
+    with pytest.raises(ValueError, match="length of x = 1: expected"):
         ph.nearest_pose(device, [1.0], q)
 
 
@@ -249,6 +264,8 @@ def test_what_no_device_has_is_a_warning():
     for call, text in (
         (lambda: ph.tendon_two_link(length_1=150), r"length_1 \[m\] = 150: expected at most"),
         (lambda: ph.device_state(0, [119.7, -82.5], [0, 0]), "q has 119.7, usually within two turns: degrees"),
+        (lambda: arm.displayable([[1, 2], [119.7, -82.5]], [1, 0], [0, 1]), "q has 119.7"),
+        (lambda: ph.simulated_device(arm, arm.brakes(), 0.5, [119.7, -82.5]), "q has 119.7"),
         (lambda: arm.brakes(time_constant=20), r"time_constant\[0\] \[s\] = 20"),
     ):
         with pytest.warns(UserWarning, match=text):

@@ -17,7 +17,7 @@ const expected = {
   "URDF": "guide_urdf.html",
   "robot": "guide_urdf.html",
   "controller": "classpassive__haptics_1_1controller.html",
-  "python following_hand": "guide_python_reference.html",
+  "python simulated_device": "guide_python_reference.html",
   "read_log": "guide_python_reference.html",
   "mechanism.design_map": "guide_python_reference.html",
 };

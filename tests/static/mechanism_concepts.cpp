@@ -34,6 +34,12 @@ static_assert(fits<custom::geared_slides<float>> && fits<custom::skew_table<doub
 static_assert(fits<custom::lever<double>> && ph::Dynamics<custom::lever<float>>);
 static_assert(fits<const custom::planar_arm<double>>);
 
+// ---- what would dangle
+
+using arm = ph::two_link<double>;
+static_assert(std::is_constructible_v<ph::mechanism_pose<arm>, const arm&, const V2&> &&
+              !std::is_constructible_v<ph::mechanism_pose<arm>, const arm&, V2>);
+
 // ---- what does not: near misses beside those of tests/compile_fail/mechanism.cpp, each derived from this
 // complete one
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <concepts>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace worst_case {
@@ -162,7 +163,7 @@ class states {
   // A pose without rank, to rounding: where det J changes its sign between two poses; where an arm is
   // straight
   joints singular_pose() {
-    using jacobian = std::remove_cvref_t<decltype(ph::mechanism_pose<M>(mechanism_, joints()).jacobian())>;
+    using jacobian = std::remove_cvref_t<decltype(std::declval<const ph::mechanism_pose<M>&>().jacobian())>;
     if constexpr (std::same_as<jacobian, ph::matrix<double, d, n>> && n == d) {
       const auto det = [&](const joints& q) {
         return ph::mechanism_pose<M>(mechanism_, q).jacobian().determinant();

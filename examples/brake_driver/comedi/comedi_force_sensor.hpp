@@ -75,12 +75,14 @@ class comedi_force_sensor {
                                                        : SDF_DIFF)) != 0;
     };
     if (offered(p_.reference)) return "";
-    std::string text = "reference: not of this card: expected one of";
+    std::string given, possible;
     for (const auto& [reference, name] :
          {std::pair{comedi_reference::ground, " ground"}, std::pair{comedi_reference::common, " common"},
-          std::pair{comedi_reference::differential, " differential"}})
-      if (offered(reference)) text += name;
-    return text;
+          std::pair{comedi_reference::differential, " differential"}}) {
+      if (reference == p_.reference) given = name;
+      if (offered(reference)) possible += name;
+    }
+    return "reference =" + given + ": expected one that this card has:" + possible;
   }
 
   parameters p_;

@@ -76,7 +76,7 @@ constexpr std::array<Line, Count> lines_in_turn() {
 }
 
 inline std::string check_device_file(const std::string& device) {
-  return device.empty() ? "device is empty: expected a file like /dev/comedi0" : "";
+  return device.empty() ? "device = \"\": expected a file like /dev/comedi0" : "";
 }
 
 /// Error text if a line equals a previous one: `same(line, other)`.

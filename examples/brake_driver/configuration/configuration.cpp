@@ -346,13 +346,17 @@ configuration read_configuration(const std::string& path) {
   file.finish();
   if (auto from = file.section("brakes"); !from.has("continuous_current"))
     from.refuse("heat", "continuous_current, above which a coil heats up; add it, or remove heat");
+  const toml_section safety = file.section("safety");
   if (c.port == "comedi" && c.safety.at_release.policy != ph::release_policy::zero)
-    file.require(
-        "[safety] at_release: expected \"zero\": a card under Comedi has no watchdog, so its currents "
-        "stay if the program dies");
-  if (c.safety.hold_over < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
-    file.require(
-        "[safety] hold_over and supervisor_timeout: expected at least 2 and 4 times the period of [loop]");
+    safety.refuse("at_release",
+                  "\"zero\": a card under Comedi has no watchdog, so its currents stay if the program dies");
+  const auto require_periods = [&](const char* name, double seconds, int count) {
+    if (seconds < count * c.loop.period)
+      safety.require(ph::detail::error_text(
+          name, seconds, ph::detail::indexed("at least ", count, " times the period of [loop]")));
+  };
+  require_periods("hold_over [s]", c.safety.hold_over, 2);
+  require_periods("supervisor_timeout [s]", c.supervisor.timeout, 4);
   if ((c.sensor == "simulated") != (c.port == "simulated") && c.sensor != "none")
     file.require("[port] type = \"" + c.port + "\" and [sensor] type = \"" + c.sensor +
                  "\": expected both simulated or none");

@@ -39,7 +39,7 @@ struct net_ft_parameters {
   }
   /// Requires a host.
   std::string rules() const {
-    return host.empty() ? "host is empty: expected a name or an address, as 192.168.1.1" : "";
+    return host.empty() ? "host = \"\": expected a name or an address, as 192.168.1.1" : "";
   }
 };
 using ph::validate;

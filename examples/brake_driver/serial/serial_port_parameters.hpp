@@ -25,7 +25,7 @@ struct serial_port_parameters {
   }
   /// Requires a device and a supported rate.
   std::string rules() const {
-    if (device.empty()) return "device is empty: expected the file of a serial port, as /dev/ttyACM0";
+    if (device.empty()) return "device = \"\": expected the file of a serial port, as /dev/ttyACM0";
     return check_baud("baud [bit/s]", baud);
   }
 };

@@ -57,7 +57,8 @@ class kind_with final : public device_kind {
   }
 
   place force_of(numbers q, numbers torque) const override {
-    const ph::mechanism_pose<H> pose(model_, joints(q.data()));
+    const joints at(q.data());
+    const ph::mechanism_pose<H> pose(model_, at);
     const torques t(torque.data());
     task F;
     if constexpr (n == d) {
@@ -74,7 +75,8 @@ class kind_with final : public device_kind {
     if constexpr (!ph::Settles<H>) {
       return force_of(q, torque);
     } else {
-      const ph::mechanism_pose<H> pose(model_, joints(q.data()));
+      const joints at(q.data());
+      const ph::mechanism_pose<H> pose(model_, at);
       const torques size(torque.data());
       const ph::settled_rates<H> rates(
           pose, ph::settled_rates<H>::default_share,

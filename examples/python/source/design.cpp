@@ -69,26 +69,22 @@ py::tuple displayable(const mechanism& m, py::handle q, py::handle velocity, py:
 
 // A figures_row of each place.
 py::array map_of(const mechanism& m, py::handle q, py::handle direction, py::handle normal,
-                 const named* brakes, double push) {
-  constexpr py::ssize_t places_between_signals = 1 << 8;
+                 const named* brakes, py::handle push) {
   const places at(m, q, direction, normal, "direction");
   const rt::design_brakes of = without_motors(m, brakes);
-  auto rows = results_for<figures_row>(at.q, {});
-  for (py::ssize_t k = 0; k < at.q.size(); ++k) {
-    const auto f = m.functions().figures(at[k], of, push);
-    rows.mutable_data()[k] = {int(f.outcome), int(f.display), f.cosine,  f.drag,
-                              f.max_force,    f.sink_slope,   f.isotropy};
-    if (k % places_between_signals == 0) let_others_run();
-  }
-  return rows;
+  return by_rows<figures_row>(at.q, {}, [&](py::ssize_t k) {
+    const auto f = m.functions().figures(at[k], of, number_from(push, "push"));
+    return std::array{
+        figures_row{int(f.outcome), int(f.display), f.cosine, f.drag, f.max_force, f.sink_slope, f.isotropy}};
+  });
 }
 
 double depth_of(const mechanism& m, py::handle q, py::handle direction, py::handle normal,
-                const named* brakes, double push) {
+                const named* brakes, py::handle push) {
   const places at(m, q, direction, normal, "direction");
   std::vector<rt::path_place> path;
   for (py::ssize_t k = 0; k < at.q.size(); ++k) path.push_back(at[k]);
-  return m.functions().sink_depth(path, without_motors(m, brakes), push);
+  return m.functions().sink_depth(path, without_motors(m, brakes), number_from(push, "push"));
 }
 
 py::tuple references_of(const mechanism& m, py::handle q) {
@@ -99,12 +95,12 @@ py::tuple references_of(const mechanism& m, py::handle q) {
   return py::make_tuple(G, enumerated("status", set.outcome));
 }
 
-py::list fmes_of(const mechanism& m, py::handle q, int segments) {
+py::list fmes_of(const mechanism& m, py::handle q, py::handle segments) {
   const auto set = m.functions().reference_forces(vector_from(q, "q", 2));
   const ph::matrix<double, 2, 2> G(set.G.data());
   py::list all;
   for (const auto& region : ph::passive_fme_regions<2>()) {
-    const auto outline = ph::passive_fme_outline<double>(G, region, segments);
+    const auto outline = ph::passive_fme_outline<double>(G, region, whole_number_from(segments, "segments"));
     const py::array_t<double> points({py::ssize_t(outline.size()), py::ssize_t(2)}, outline.front().data());
     all.append(py::make_tuple(py::make_tuple(region[0], region[1]), points));
   }
@@ -125,14 +121,12 @@ rt::hand_description made_hand(const named& n, py::handle direction, py::handle 
   return of;
 }
 
-py::array hand_force(const rt::hand_description& of, double time, py::handle x, py::handle v,
-                     py::handle normal, double depth) {
+py::array hand_force(const rt::hand_description& of, py::handle time, py::handle x, py::handle v,
+                     py::handle normal, py::handle depth) {
   const auto force = [&]<int D>() -> py::array {
-    const auto task = [&](py::handle vector, const char* name) {
-      return ph::vector<double, D>(vector_from(vector, name, D).data());
-    };
-    return array_of(
-        of.hand<D>().force(time, task(x, "position"), task(v, "velocity"), task(normal, "normal"), depth));
+    return array_of(of.hand<D>().force(number_from(time, "time"), vector_of<D>(x, "position"),
+                                       vector_of<D>(v, "velocity"), vector_of<D>(normal, "normal"),
+                                       number_from(depth, "depth")));
   };
   return of.direction.size() == 2 ? force.operator()<2>() : force.operator()<3>();
 }
@@ -150,11 +144,10 @@ std::unique_ptr<rt::any_plant> made_plant(const mechanism& m, const std::vector<
 // Figures, and the time steps as rows of 8-byte numbers: doubles, and whole numbers in the same width.
 py::tuple follow(const mechanism& m, rt::any_plant& plant, controller& control, const shape& of_shape,
                  const rt::hand_description& hand, const named& parameters, bool is_recorded) {
-  constexpr int steps_between_signals = 1 << 10;
-  long steps = 0;
+  py::ssize_t steps = 0;
   std::vector<double> rows;
   const auto record = [&](const rt::following_record& now) {
-    if (++steps % steps_between_signals == 0) let_others_run();
+    let_others_run(++steps);
     if (!is_recorded) return;
     const rt::cycle_record& c = *now.control;
     rows.insert(rows.end(), {now.time, now.depth});
@@ -184,7 +177,7 @@ py::tuple follow(const mechanism& m, rt::any_plant& plant, controller& control, 
 }  // namespace
 
 void bind_design(py::class_<mechanism>& bound) {
-  bound.def("has_reference_forces", [](const mechanism& m) { return m.functions().has_reference_forces(); })
+  bound
       .def("brake_signs",
            [](const mechanism& m, py::handle q, py::handle qd, py::handle hand_force, const named* brakes) {
              const auto [n, d, count] = m.sizes();
@@ -197,8 +190,10 @@ void bind_design(py::class_<mechanism>& bound) {
       .def("nearest_force",
            [](const mechanism& m, py::handle q, py::handle signs, py::handle desired) {
              const auto [n, d, count] = m.sizes();
-             return array_of(m.functions().nearest_force(vector_from(q, "q", n),
-                                                         vector_from(signs, "signs", count),
+             const auto s = vector_from(signs, "signs", count);
+             if (!std::ranges::all_of(s, [](double x) { return x == -1 || x == 0 || x == 1; }))
+               refuse_value("signs = " + shown(signs) + ": expected -1, 0 or 1 for each brake");
+             return array_of(m.functions().nearest_force(vector_from(q, "q", n), s,
                                                          vector_from(desired, "desired_force", d)));
            })
       .def("passive_fme", &fmes_of)

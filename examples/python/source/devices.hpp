@@ -8,6 +8,7 @@
 #include <passive_haptics/runtime/catalogue.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <exception>
 #include <memory>
 #include <utility>
@@ -36,17 +37,8 @@ struct device_state {
   operator rt::state_view() const { return {time, q, qd, hand_force}; }
 };
 
-/// A call that is the only one of its object while it lives; another one is a ValueError.
-class only_call {
- public:
-  explicit only_call(bool& is_called);  ///< Sets a flag of the object until its end.
-  only_call(const only_call&) = delete;
-  only_call& operator=(const only_call&) = delete;
-  ~only_call() { is_called_ = false; }
-
- private:
-  bool& is_called_;
-};
+/// A ValueError if the flag of an object is set: another call uses it. Else sets it while the result lives.
+std::unique_ptr<bool, void (*)(bool*)> only_call(bool& is_called);
 
 /// A controller that one call uses at a time: a function of a mechanism in Python might call it again.
 class controller {
@@ -56,9 +48,9 @@ class controller {
   /// One cycle. A ValueError if a vector has another size, or there is no hand force where the law needs one;
   /// throws what functions of a mechanism in Python throw.
   rt::cycle_record step(const rt::state_view& state);
-  void reset() { only_call{is_called_}, held_->reset(); }  ///< Forgets the motion.
+  void reset() { only_call(is_called_), held_->reset(); }  ///< Forgets the motion.
   /// Other brakes from the next cycle on.
-  void set_brakes(const rt::brake_numbers& brakes) { only_call{is_called_}, held_->set_brakes(brakes); }
+  void set_brakes(const rt::brake_numbers& brakes) { only_call(is_called_), held_->set_brakes(brakes); }
   const rt::any_controller& held() const { return *held_; }  ///< The controller.
 
  private:
@@ -92,19 +84,25 @@ class deferred_error {
   std::exception_ptr error_;
 };
 
-/// The numbers f(k) of each row k, in this shape. Throws what functions of a mechanism in Python threw.
-template <class F>
-py::array_t<double> by_rows(const rows_of& rows, const std::vector<py::ssize_t>& shape, const F& f) {
+/// The elements f(k) of each row k, in this shape. Throws what functions of a mechanism in Python threw.
+template <class T = double, class F>
+py::array_t<T> by_rows(const rows_of& rows, const std::vector<py::ssize_t>& shape, const F& f) {
   deferred_error errors;
-  auto all = results_for(rows, shape);
-  double* const first = all.mutable_data();
+  auto all = results_for<T>(rows, shape);
+  T* const first = all.mutable_data();
   for (py::ssize_t k = 0; k < rows.size(); ++k) {
+    let_others_run(k);
     const auto& found = f(k);
     std::copy_n(found.data(), found.size(), first + k * all.size() / rows.size());
   }
   errors.rethrow();
   return all;
 }
+
+/// Runs the cycles of N states without Python's lock. Result: the arrays by their names, those of `out` where
+/// it has them.
+py::dict run_batch(const controller& of, py::handle q, py::handle qd, py::handle hand_force, py::handle time,
+                   const py::list& fields, const py::dict& out, int workers);
 
 // Each binds a part of the module.
 void bind_scenes(py::module_& module);
@@ -117,9 +115,13 @@ void bind_python_mechanism(py::module_& module);
 
 namespace pybind11::detail {
 
-/// Values that a user can get without their __init__, by X.__new__(X): using one is a TypeError.
+/// States and results, which a user can get without their __init__, by X.__new__(X): using one is a
+/// TypeError.
 template <class T>
-struct made_caster : type_caster_base<T> {
+  requires std::same_as<T, passive_haptics_python::device_state> ||
+           std::same_as<T, passive_haptics::runtime::cycle_record>
+class type_caster<T> : public type_caster_base<T> {
+ public:
   /// As of the base class.
   bool load(handle from, bool convert) {
     if (isinstance<T>(from) &&
@@ -128,13 +130,5 @@ struct made_caster : type_caster_base<T> {
     return type_caster_base<T>::load(from, convert);
   }
 };
-/// A state.
-template <>
-struct type_caster<passive_haptics_python::device_state> : made_caster<passive_haptics_python::device_state> {
-};
-/// A result.
-template <>
-struct type_caster<passive_haptics::runtime::cycle_record>
-    : made_caster<passive_haptics::runtime::cycle_record> {};
 
 }  // namespace pybind11::detail

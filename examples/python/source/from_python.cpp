@@ -2,6 +2,7 @@
 #include "from_python.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace passive_haptics_python {
 
@@ -33,6 +34,14 @@ double number_named(py::handle x, const Name& name) {
   refuse_value(name() + " = " + shown(x) + ": expected a number that a double can hold");
 }
 
+// A revolute joint turns less, and a slide is shorter.
+void warn_of_degrees(double q) {
+  constexpr double two_turns = 12.57, million = 1e6;
+  if (std::abs(q) > two_turns && std::abs(q) < million)
+    warn("q has " + std::string(py::str(py::float_(q))) +
+         ", usually within two turns: degrees? numpy.radians(q) makes radians of them");
+}
+
 }  // namespace
 
 double number_from(py::handle x, const std::string& name) {
@@ -40,7 +49,7 @@ double number_from(py::handle x, const std::string& name) {
 }
 
 int whole_number_from(py::handle x, const std::string& name) {
-  if (!is_number(x) || PyFloat_Check(x.ptr()))
+  if (!is_number(x) || !PyIndex_Check(x.ptr()))
     refuse_type(name + " = " + shown(x) + ": expected a whole number");
   const long value = PyLong_AsLong(py::int_(py::reinterpret_borrow<py::object>(x)).ptr());
   if (PyErr_Occurred()) PyErr_Clear();
@@ -48,7 +57,7 @@ int whole_number_from(py::handle x, const std::string& name) {
   refuse_value(name + " = " + shown(x) + ": expected a whole number of ordinary size");
 }
 
-numbers_array array_from(py::handle x, const std::string& name, std::initializer_list<int> axes) {
+py::array_t<double> array_from(py::handle x, const std::string& name, std::initializer_list<int> axes) {
   py::object given = py::reinterpret_borrow<py::object>(x);
   if (PyList_Check(x.ptr()) || PyTuple_Check(x.ptr())) {
     try {
@@ -68,20 +77,31 @@ numbers_array array_from(py::handle x, const std::string& name, std::initializer
     refuse_type(name + " has dtype " + std::string(py::str(array.dtype())) +
                 ": expected real numbers: " + name + ".astype(float)");
   if (std::ranges::find(axes, int(array.ndim())) == axes.end())
-    refuse_value("shape of " + name + " = " + std::string(py::str(array.attr("shape"))) + ": expected " +
-                 std::to_string(*axes.begin()) +
-                 (axes.size() > 1      ? " or 2 axes"
-                  : *axes.begin() == 1 ? " axis"
-                                       : " axes"));
-  return numbers_array(array);
+    refuse_value(
+        "shape of " + name + " = " + std::string(py::str(array.attr("shape"))) + ": expected " +
+        std::array{"1 axis", "2 axes", "1 or 2 axes"}[std::size_t(axes.size() > 1 ? 2 : *axes.begin() - 1)]);
+  constexpr int aligned = int(py::array::forcecast) | int(py::detail::npy_api::NPY_ARRAY_ALIGNED_);
+  return py::array_t<double, aligned>(array);
 }
 
-numbers_array matrix_from(py::handle x, const std::string& name, int rows, int columns) {
-  numbers_array all = array_from(x, name, {2});
+py::array_t<double> matrix_from(py::handle x, const std::string& name, int rows, int columns) {
+  py::array_t<double> all = array_from(x, name, {2});
   if ((rows >= 0 && all.shape(0) != rows) || (columns >= 0 && all.shape(1) != columns))
     refuse_value("shape of " + name + " = " + std::string(py::str(all.attr("shape"))) + ": expected (" +
                  (rows < 0 ? "N" : std::to_string(rows)) + ", " + std::to_string(columns) + ")");
+  const auto q = all.unchecked<2>();
+  double largest = 0;
+  for (py::ssize_t j = 0; name == "q" && j < columns; ++j)
+    for (py::ssize_t i = 0; i < q.shape(0); ++i)
+      if (const double angle = std::abs(q(i, j)); angle > largest) largest = angle;
+  warn_of_degrees(largest);
   return all;
+}
+
+void require_length(const std::string& name, std::size_t found, std::size_t expected) {
+  if (found != expected)
+    refuse_value("length of " + name + " = " + std::to_string(found) + ": expected " +
+                 std::to_string(expected));
 }
 
 std::vector<double> vector_from(py::handle x, const std::string& name, int size) {
@@ -93,20 +113,16 @@ std::vector<double> vector_from(py::handle x, const std::string& name, int size)
     const numbers_array array = array_from(x, name, {1});
     all.assign(array.data(), array.data() + array.size());
   }
-  if (size >= 0 && std::ssize(all) != size)
-    refuse_value("length of " + name + " = " + std::to_string(all.size()) + ": expected " +
-                 std::to_string(size));
+  if (size >= 0) require_length(name, all.size(), std::size_t(size));
+  if (name == "q" && !all.empty())
+    warn_of_degrees(std::ranges::max(all, {}, [](double angle) { return std::abs(angle); }));
   return all;
 }
 
 rows_of::rows_of(py::handle x, const std::string& name, int width)
     : array_(array_from(x, name, {1, 2})), width_(width), is_one_(array_.ndim() == 1) {
-  const py::ssize_t found = array_.shape(array_.ndim() - 1);
-  if (found == width) return;
-  if (is_one_)
-    refuse_value("length of " + name + " = " + std::to_string(found) + ": expected " + std::to_string(width));
-  refuse_value("shape of " + name + " = " + std::string(py::str(array_.attr("shape"))) + ": expected (N, " +
-               std::to_string(width) + ")");
+  if (is_one_) require_length(name, std::size_t(array_.size()), std::size_t(width));
+  else matrix_from(array_, name, -1, width);
 }
 
 rows_of::rows_of(py::handle x, const std::string& name, int width, const rows_of& q)

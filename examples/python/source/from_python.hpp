@@ -29,9 +29,9 @@ namespace ph = passive_haptics;
   throw py::value_error("passive_haptics: " + text);
 }
 
-/// A warning at the line of the user.
+/// A warning at the line of the user, if there is a text.
 inline void warn(const std::string& text) {
-  py::module_::import("passive_haptics.values").attr("warn")("passive_haptics: " + text);
+  py::module_::import("passive_haptics.values").attr("warn")(text);
 }
 
 /// A value and its type for a message: "'abc' (str)", at most 40 characters of it.
@@ -42,15 +42,18 @@ double number_from(py::handle x, const std::string& name);
 /// x as a whole number; else a TypeError.
 int whole_number_from(py::handle x, const std::string& name);
 
+/// Numbers one row after the other.
+using numbers_array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// x, a list, a tuple or an array of real numbers, as an array of float64 with one of these numbers of axes;
 /// else a TypeError or ValueError. An array of a class that is derived from numpy.ndarray (masked, matrix) is
 /// rejected, as it may mean something else.
-using numbers_array = py::array_t<double, py::array::c_style | py::array::forcecast>;
-numbers_array array_from(py::handle x, const std::string& name, std::initializer_list<int> axes);
-/// x as rows of numbers; -1: any number of them.
-numbers_array matrix_from(py::handle x, const std::string& name, int rows, int columns);
+py::array_t<double> array_from(py::handle x, const std::string& name, std::initializer_list<int> axes);
+/// x as rows of numbers; -1: any number of them. Warns of joint positions, named "q", in degrees.
+py::array_t<double> matrix_from(py::handle x, const std::string& name, int rows, int columns);
 
-/// x as a vector of `size` numbers, of any number where size is -1.
+/// A ValueError if a list of this name has another length.
+void require_length(const std::string& name, std::size_t found, std::size_t expected);
+/// x as a vector of `size` numbers, of any number where size is -1. Warns as matrix_from().
 std::vector<double> vector_from(py::handle x, const std::string& name, int size = -1);
 
 /// Rows of numbers: N of them, or one that stands for a single pose.
@@ -91,8 +94,11 @@ py::object enumerated(const char* name, E value) {
   return py::module_::import("passive_haptics.results").attr(name)(static_cast<int>(value));
 }
 
-/// Lets other threads of Python run, and throws KeyboardInterrupt after Ctrl-C.
-inline void let_others_run() {
+/// In row k of many, now and then lets other threads of Python run, and throws KeyboardInterrupt after
+/// Ctrl-C.
+inline void let_others_run(py::ssize_t k = 0) {
+  constexpr py::ssize_t rows_between = 1 << 8;
+  if (k % rows_between != 0) return;
   {
     const py::gil_scoped_release unlocked;
   }

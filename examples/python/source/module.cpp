@@ -3,6 +3,7 @@
 #include "devices.hpp"
 
 #include <catalogue/catalogue.hpp>
+#include <driver_keys.hpp>
 #include <log/log_columns.hpp>
 
 #include <passive_haptics/core/version.hpp>
@@ -11,7 +12,6 @@
 
 #include <pybind11/stl.h>
 
-#include <array>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -19,40 +19,41 @@
 namespace passive_haptics_python {
 namespace {
 
-// A device file as names and dictionaries.
-py::dict read_device(const std::string& path) {
-  const rt::toml_section file = rt::toml_section::file(path);
+rt::device_description description_of(rt::toml_section file) {
   rt::device_description of = rt::read_device(file, example::catalogue());
+  example::finish_without_driver(file);
+  return of;
+}
+
+// The parts of a device of a file: names, dictionaries and the text of its scene.
+py::tuple read_device(const std::string& path) {
+  rt::device_description of = description_of(rt::toml_section::file(path));
+  warn(of.remarks);
   const auto pair = [](rt::named_parameters& n) { return py::make_tuple(n.name, to_dict(n.parameters)); };
   py::list models;
   for (rt::named_parameters& one : of.brake_models) models.append(pair(one));
-  py::dict all;
-  all["mechanism"] = pair(of.mechanism);
-  all["brakes"] = to_dict(rt::any_parameters(of.brakes));
-  all["brake_models"] = models;
-  all["law"] = pair(of.law);
-  all["options"] = to_dict(rt::any_parameters(of.options));
-  all["has_force_sensor"] = of.has_force_sensor;
-  all["remarks"] = of.remarks;
-  all["text"] = rt::device_text(of);
-  return all;
+  return py::make_tuple(pair(of.mechanism), to_dict(rt::any_parameters(of.brakes)), pair(of.law), models,
+                        rt::device_text(of), of.has_force_sensor, to_dict(rt::any_parameters(of.options)),
+                        of.remarks);
 }
 
 scene scene_of_device(const std::string& text) {
-  const rt::toml_section file = rt::toml_section::text("text of a scene_of_device", text);
-  return {rt::read_device(file, example::catalogue()).make_scene(example::catalogue())};
+  return {description_of(rt::toml_section::text("text of a scene_of_device", text))
+              .make_scene(example::catalogue())};
 }
 
-// The parameters of a chain of a URDF, and the remarks.
-py::tuple chain_from_urdf(const std::string& path, const std::string& base, const std::string& tip,
-                          const std::array<double, 3>& tool, bool balanced) {
+// The parameters of a chain of a URDF.
+py::dict chain_from_urdf(const std::string& path, const std::string& base, const std::string& tip,
+                         py::handle tool, bool balanced) {
   const rt::urdf_reader& reader = example::catalogue().urdf_reader();
   if (!reader)
     throw std::runtime_error(
         "passive_haptics: chain_from_urdf: expected a package that is built with urdfdom; install Debian's "
         "liburdfdom-dev, then build the package with PASSIVE_HAPTICS_URDF=ON in the environment");
-  const rt::urdf_mechanism made = reader({path, base, tip, {tool[0], tool[1], tool[2]}, balanced}, "");
-  return py::make_tuple(to_dict(made.parameters), made.remarks);
+  const std::vector<double> x = vector_from(tool, "tool", 3);
+  const rt::urdf_mechanism made = reader({path, base, tip, {x[0], x[1], x[2]}, balanced}, "");
+  warn(made.remarks);
+  return to_dict(made.parameters);
 }
 
 // Bytes that are not UTF-8 stay what they are, as in the names of files.
@@ -67,7 +68,7 @@ py::tuple read_log(const std::string& path) {
   py::dict values, units;
   try {
     example::log_reader log(file, path);
-    for (const example::log_column& column : example::columns_of(log, let_others_run)) {
+    for (const example::log_column& column : example::columns_of(log, [] { let_others_run(); })) {
       py::list words;
       for (const std::string& word : column.words) words.append(text_from(word));
       const py::object name = text_from(column.name);
@@ -85,6 +86,7 @@ py::tuple read_log(const std::string& path) {
 
 PYBIND11_MODULE(_native, module) {
   using namespace passive_haptics_python;
+  module.attr("__module__") = "passive_haptics";  // in the names of its classes
   module.attr("__version__") = std::to_string(PASSIVE_HAPTICS_VERSION_MAJOR) + "." +
                                std::to_string(PASSIVE_HAPTICS_VERSION_MINOR) + "." +
                                std::to_string(PASSIVE_HAPTICS_VERSION_PATCH);
@@ -94,6 +96,9 @@ PYBIND11_MODULE(_native, module) {
                        : name == "display_class" ? ph::to_string(ph::display_class(value))
                                                  : ph::to_string(ph::run_end(value)));
   });
+  module.def("number", &number_from);
+  module.def("whole_number", &whole_number_from);
+  module.def("vector", &vector_from);
   module.def("read_device", &read_device);
   module.def("scene_of_device", &scene_of_device);
   module.def("chain_from_urdf", &chain_from_urdf);

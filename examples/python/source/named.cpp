@@ -38,6 +38,8 @@ void for_each_list(const F& f) {
 }
 
 rt::any_parameters defaults_of(const std::string& list, const std::string& name, int d) {
+  if (list == "brakes" && (d < 1 || d > rt::max_joints))
+    refuse_value("count = " + std::to_string(d) + ": expected 1 to " + std::to_string(rt::max_joints));
   if (list == "brakes") return rt::any_parameters(rt::brake_numbers(d));
   if (name == "following_hand") return rt::any_parameters(ph::following_hand_parameters<double>());
   if (name == "wall_following_parameters") return rt::any_parameters(ph::wall_following_parameters());
@@ -115,9 +117,7 @@ void assign(const field& f, py::handle x, const std::string& name, bool broadcas
       const auto list = py::reinterpret_borrow<py::sequence>(x);
       const std::vector<rt::field_list> tables =
           f.resize_tables == nullptr ? f.tables : f.resize_tables(f.at, list.size());
-      if (list.size() != tables.size())
-        refuse_value("length of " + name + " = " + std::to_string(list.size()) + ": expected " +
-                     std::to_string(tables.size()));
+      require_length(name, list.size(), tables.size());
       for (std::size_t i = 0; i < tables.size(); ++i) {
         const std::string place = name + "[" + std::to_string(i) + "]";
         const py::object one = list[i];
@@ -133,11 +133,12 @@ void assign_all(const rt::field_list& fields, const py::dict& given, const std::
                 const std::string& prefix, bool broadcasts) {
   const auto names = names_of(fields);
   for (const auto& [key, value] : given)
-    if (const std::string called = py::str(key); std::ranges::find(names, called) == names.end())
+    if (const std::string called = py::str(key);
+        !value.is_none() && std::ranges::find(names, called) == names.end())
       refuse_type(owner + " has no parameter '" + called + "': expected " +
                   (names.empty() ? "none" : joined(names)) + rt::did_you_mean(called, names));
   for (const field& f : fields)
-    if (const std::string name = name_of(f); given.contains(name.c_str()))
+    if (const std::string name = name_of(f); given.contains(name.c_str()) && !given[name.c_str()].is_none())
       assign(f, given[name.c_str()], prefix + name, broadcasts);
 }
 

@@ -20,8 +20,8 @@ struct named {
   int dimension = 0;         ///< 2 or 3 of a shape or an effect.
   rt::any_parameters table;  ///< The values.
 
-  /// These over the default values. A ValueError if there is no such name; a TypeError or ValueError with the
-  /// name of a parameter that is wrong; a warning about a value that no device has.
+  /// Those that are not None over the default values. A ValueError if there is no such name; a TypeError or
+  /// ValueError with the name of a parameter that is wrong; a warning about a value that no device has.
   named(const std::string& of, const std::string& called, int d, const py::dict& given);
 };
 

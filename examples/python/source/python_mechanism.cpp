@@ -4,6 +4,7 @@
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 
 #include <pybind11/eigen.h>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +23,6 @@ struct callables {
   bool is_checked = false;       // Or they are still to be compared with each other.
 };
 
-template <int N>
-ph::vector<double, N> vector_of(py::handle x, const std::string& name) {
-  return ph::vector<double, N>(vector_from(x, name, N).data());
-}
 template <int R, int C>
 ph::matrix<double, R, C> matrix_of(py::handle x, const std::string& name) {
   const numbers_array rows = matrix_from(x, name, R, C);
@@ -65,7 +62,11 @@ class python_functions {
   {
     return guarded<n_by_n>([&] {
       check_once(q);
-      return matrix_of<N, N>(of_->mass_matrix(array(q)), "mass_matrix(q)");
+      const py::object given = of_->mass_matrix(array(q));
+      const n_by_n M = matrix_of<N, N>(given, "mass_matrix(q)");
+      if (M.allFinite() && !(M.isApprox(M.transpose(), tolerance) && M.llt().info() == Eigen::Success))
+        refuse_value("mass_matrix(q) = " + shown(given) + ": expected a symmetric matrix, positive definite");
+      return M;
     });
   }
   // c [N m or N].

@@ -44,18 +44,14 @@ shape made_shape(const named& n, const shape* of) {
 }
 
 double distance_at(const shape& s, py::handle x) {
-  return std::visit(
-      [&]<int D>(const shape_in<D>& of) {
-        return of.solid->distance(ph::point<D>(vector_from(x, "x", D).data()));
-      },
-      s.in);
+  return std::visit([&]<int D>(const shape_in<D>& of) { return of.solid->distance(vector_of<D>(x, "x")); },
+                    s.in);
 }
 py::array gradient_at(const shape& s, py::handle x) {
-  return std::visit(
-      [&]<int D>(const shape_in<D>& of) -> py::array {
-        return array_of(of.solid->gradient(ph::point<D>(vector_from(x, "x", D).data())));
-      },
-      s.in);
+  const auto in = [&]<int D>(const shape_in<D>& of) {
+    return array_of(of.solid->gradient(vector_of<D>(x, "x")));
+  };
+  return std::visit(in, s.in);
 }
 
 // ---- meshes

@@ -14,6 +14,12 @@
 
 namespace passive_haptics_python {
 
+/// x as a vector of N numbers.
+template <int N>
+ph::vector<double, N> vector_of(py::handle x, const std::string& name) {
+  return ph::vector<double, N>(vector_from(x, name, N).data());
+}
+
 /// A shape of D dimensions, and walls of it; a mesh_surface has no inside.
 template <int D>
 struct shape_in {

@@ -5,6 +5,8 @@
 /// operands are matrices; otherwise Eigen's are used. Write x.array() for an expression in a single pass.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
+
 #include <Eigen/Core>
 
 #include <concepts>
@@ -19,7 +21,7 @@ concept scales = std::same_as<X, T> || std::integral<X>;
 /// A + B
 template <class T, int R, int C>
   requires(R > 0 && C > 0)
-[[gnu::always_inline]] inline Eigen::Matrix<T, R, C> operator+(const Eigen::Matrix<T, R, C>& A,
+PASSIVE_HAPTICS_INLINE inline Eigen::Matrix<T, R, C> operator+(const Eigen::Matrix<T, R, C>& A,
                                                                const Eigen::Matrix<T, R, C>& B) {
   return A.operator+(B);
 }
@@ -27,7 +29,7 @@ template <class T, int R, int C>
 /// A - B
 template <class T, int R, int C>
   requires(R > 0 && C > 0)
-[[gnu::always_inline]] inline Eigen::Matrix<T, R, C> operator-(const Eigen::Matrix<T, R, C>& A,
+PASSIVE_HAPTICS_INLINE inline Eigen::Matrix<T, R, C> operator-(const Eigen::Matrix<T, R, C>& A,
                                                                const Eigen::Matrix<T, R, C>& B) {
   return A.operator-(B);
 }
@@ -35,35 +37,35 @@ template <class T, int R, int C>
 /// -A
 template <class T, int R, int C>
   requires(R > 0 && C > 0)
-[[gnu::always_inline]] inline Eigen::Matrix<T, R, C> operator-(const Eigen::Matrix<T, R, C>& A) {
+PASSIVE_HAPTICS_INLINE inline Eigen::Matrix<T, R, C> operator-(const Eigen::Matrix<T, R, C>& A) {
   return A.operator-();
 }
 
 /// a A
 template <class T, int R, int C, detail::scales<T> X>
   requires(R > 0 && C > 0)
-[[gnu::always_inline]] inline Eigen::Matrix<T, R, C> operator*(const X& a, const Eigen::Matrix<T, R, C>& A) {
+PASSIVE_HAPTICS_INLINE inline Eigen::Matrix<T, R, C> operator*(const X& a, const Eigen::Matrix<T, R, C>& A) {
   return A.operator*(static_cast<T>(a));
 }
 
 /// A a
 template <class T, int R, int C, detail::scales<T> X>
   requires(R > 0 && C > 0)
-[[gnu::always_inline]] inline Eigen::Matrix<T, R, C> operator*(const Eigen::Matrix<T, R, C>& A, const X& a) {
+PASSIVE_HAPTICS_INLINE inline Eigen::Matrix<T, R, C> operator*(const Eigen::Matrix<T, R, C>& A, const X& a) {
   return A.operator*(static_cast<T>(a));
 }
 
 /// A / a
 template <class T, int R, int C, detail::scales<T> X>
   requires(R > 0 && C > 0)
-[[gnu::always_inline]] inline Eigen::Matrix<T, R, C> operator/(const Eigen::Matrix<T, R, C>& A, const X& a) {
+PASSIVE_HAPTICS_INLINE inline Eigen::Matrix<T, R, C> operator/(const Eigen::Matrix<T, R, C>& A, const X& a) {
   return A.operator/(static_cast<T>(a));
 }
 
 /// A B
 template <class T, int R, int K, int C>
   requires(R > 0 && K > 0 && C > 0)
-[[gnu::always_inline]] inline Eigen::Matrix<T, R, C> operator*(const Eigen::Matrix<T, R, K>& A,
+PASSIVE_HAPTICS_INLINE inline Eigen::Matrix<T, R, C> operator*(const Eigen::Matrix<T, R, K>& A,
                                                                const Eigen::Matrix<T, K, C>& B) {
   return A.operator*(B);
 }

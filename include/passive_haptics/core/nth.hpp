@@ -1,6 +1,8 @@
 /// Array access by signed or unsigned indices.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
+
 #include <cstddef>
 
 namespace passive_haptics {
@@ -9,7 +11,7 @@ namespace detail {
 
 struct nth_element {
   template <class Array, class Number>
-  [[gnu::always_inline]] constexpr decltype(auto) operator()(Array&& array, Number i) const {
+  PASSIVE_HAPTICS_INLINE constexpr decltype(auto) operator()(Array&& array, Number i) const {
     return array[static_cast<std::size_t>(i)];
   }
 };

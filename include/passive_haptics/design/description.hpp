@@ -32,7 +32,7 @@ struct description {
   constexpr bool has(std::string_view name) const {
     for (const optional_member& m : members)
       if (m.name == name) return m.found;
-    require_no_error("no optional member has this name");
+    require_no_error(detail::error_text("optional member", name, "a name that describe() lists"));
     return false;
   }
 };

@@ -88,6 +88,8 @@ class release_profile {
     return !(std::abs(now - start_.time) < p_.max_duration());
   }
 
+  release_policy policy() const noexcept { return p_.policy; }  ///< The policy.
+
   /// True if the policy ends currents immediately.
   bool is_at_once() const noexcept { return p_.policy == release_policy::zero; }
 

@@ -60,9 +60,11 @@ class safe_port {
     if (state_ != port_state::closed) return "open() was called twice: the device is open; call it once";
     std::string error = port_.open();
     if (error.empty() && !release_.is_at_once() && !(watchdog(port_) > 0))
-      error =
-          "at_release.policy: expected zero: a device without a watchdog keeps its currents; set zero, or "
-          "use a device with a watchdog";
+      error = std::string("at_release.policy = ")
+                  .append(release_.policy() == release_policy::ramp ? "ramp" : "hold")
+                  .append(
+                      ": expected zero: a device without a watchdog keeps its currents; set zero, or use a "
+                      "device with a watchdog");
     if (error.empty()) error = sensor_.open();
     encoders_.set_counter_bits(counter_bits(port_));
     if (error.empty()) error = period_.error(encoders_.wrap_time(), counter_bits(port_));

@@ -138,10 +138,10 @@ namespace detail {
 template <class T>
 struct vectors_of_brakes {
   lanes<T, 2> x, y;
-  [[gnu::always_inline]] friend lanes<T, 2> dot(const vectors_of_brakes& a, const vectors_of_brakes& b) {
+  PASSIVE_HAPTICS_INLINE friend lanes<T, 2> dot(const vectors_of_brakes& a, const vectors_of_brakes& b) {
     return a.x * b.x + a.y * b.y;
   }
-  [[gnu::always_inline]] friend lanes<T, 2> dot(const vectors_of_brakes& a, const vector<T, 2>& b) {
+  PASSIVE_HAPTICS_INLINE friend lanes<T, 2> dot(const vectors_of_brakes& a, const vector<T, 2>& b) {
     return a.x * b[0] + a.y * b[1];
   }
 };

@@ -26,7 +26,7 @@ inline std::string add_part(const aiMesh& part, const aiMatrix4x4t<double>& plac
   const std::size_t first = to.vertices.size();
   if (part.mNumVertices > polygons::max_count - first) return "more than 2^31 - 1 vertices: expected fewer";
   if (part.mVertices == nullptr && part.mNumVertices > 0)
-    return "vertices without places; the file is damaged";
+    return "vertices without positions: expected one for each; the file is damaged";
   for (unsigned v = 0; v < part.mNumVertices; ++v) {
     const auto& x = part.mVertices[v];
     const auto y = placed * aiVector3t<double>(x.x, x.y, x.z);
@@ -62,7 +62,9 @@ inline std::string add_nodes(const aiScene& scene, polygons& to) {
     const auto placed = parent * aiMatrix4x4t<double>(t.a1, t.a2, t.a3, t.a4, t.b1, t.b2, t.b3, t.b4, t.c1,
                                                       t.c2, t.c3, t.c4, t.d1, t.d2, t.d3, t.d4);
     for (unsigned m = 0; m < node->mNumMeshes; ++m) {
-      if (node->mMeshes[m] >= scene.mNumMeshes) return "a part that is not there; the file is damaged";
+      if (node->mMeshes[m] >= scene.mNumMeshes)
+        return error_text("index of a part", node->mMeshes[m],
+                          indexed("less than ", scene.mNumMeshes, "; the file is damaged"));
       if (std::string error = add_part(*scene.mMeshes[node->mMeshes[m]], placed, to); !error.empty())
         return error;
     }

@@ -64,6 +64,7 @@ class mechanism_pose {
   /// The mechanism in pose q.
   PASSIVE_HAPTICS_PART mechanism_pose(const M& mechanism, const joint_vector<M>& q)
       : mechanism_(mechanism), q_(q), pose_(pose_of(mechanism, q)) {}
+  mechanism_pose(const M&, const joint_vector<M>&&) = delete;  ///< Rejects a temporary q.
 
   task_vector<M> position() const { return mechanism_.position(pose_); }  ///< x [m], base frame.
 

@@ -12,7 +12,31 @@
 
 namespace passive_haptics {
 
-struct detail::simulated_device_header {};
+namespace detail {
+
+struct simulated_device_header {};
+
+struct braces {};  // for an argument in braces, which has no type
+
+template <class T, class To>
+concept fits_as = std::same_as<T, braces> || std::convertible_to<T, To>;
+
+template <class M, class Brakes, class Mass, class Q>
+concept simulated_device_arguments =
+    Mechanism<M> && (fits_as<Brakes, brakes_of<M>> || requires { std::tuple_size<Brakes>::value; }) &&
+    fits_as<Mass, typename M::scalar> && fits_as<Q, joint_vector<M>>;
+
+// False, or an error for wrong arguments.
+template <class M, class Brakes, class Mass, class Q>
+consteval bool rejects_simulated_device() {
+  static_assert(
+      simulated_device_arguments<M, Brakes, Mass, Q>,
+      "passive_haptics: the arguments of a simulated_device are (mechanism, brakes, hand_mass, q), in "
+      "this order.");
+  return false;
+}
+
+}  // namespace detail
 
 /// Simulated device M qdd + c = J^T Fh + T^T t. The brakes are Coulomb friction with exact stick and viscous
 /// drag, by the Model of each brake; its compliance is a spring in series with the friction. Semi-implicit
@@ -37,6 +61,11 @@ class simulated_device : public moving_device<M, Model> {
   template <std::same_as<brake_models_of<M, Model>> RealBrakes>  // a template, so that {} means brakes_of<M>
   simulated_device(M mechanism, const RealBrakes& brakes, scalar hand_mass, const joint_vector<M>& q)
       : base(std::move(mechanism), brakes, hand_mass, q) {}
+
+  /// Rejects other arguments.
+  template <class Brakes = detail::braces, class Mass, class Q = detail::braces>
+    requires(detail::rejects_simulated_device<M, Brakes, Mass, Q>())
+  simulated_device(const M&, const Brakes&, const Mass&, const Q&) = delete;
 
   using base::set_motion;
 
@@ -83,5 +112,10 @@ class simulated_device : public moving_device<M, Model> {
 template <class M, class Model, std::size_t Brakes>
 simulated_device(M, const std::array<Model, Brakes>&, typename M::scalar, const joint_vector<M>&)
     -> simulated_device<M, Model>;
+
+/// Rejects arguments in another order.
+template <class M, class Brakes = detail::braces, class Mass, class Q = detail::braces>
+  requires(detail::rejects_simulated_device<M, Brakes, Mass, Q>())
+simulated_device(M, Brakes, Mass, Q) -> simulated_device<M, coulomb_brake<double>>;
 
 }  // namespace passive_haptics

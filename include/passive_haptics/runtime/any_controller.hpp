@@ -11,12 +11,18 @@
 #include <passive_haptics/runtime/brake_numbers.hpp>
 #include <passive_haptics/runtime/cycle_record.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <variant>
 
 namespace passive_haptics::runtime {
+
+/// States of a batch for any device: the first n or d arrays of a vector are used.
+using any_batch_states = batch_states_of<double, max_joints, 3>;
+/// Results of a batch for any device: the first m or d arrays of a vector are used.
+using any_batch_results = batch_results_of<double, max_joints, 3>;
 
 /// Control cycles of any device.
 class any_controller {
@@ -29,6 +35,8 @@ class any_controller {
   /// One cycle; neither throws nor allocates. Wrong counts of numbers, or a missing hand force that the law
   /// needs, give status::state_not_finite with all brakes released.
   virtual cycle_record operator()(const state_view& state) noexcept = 0;
+  /// As controller::batch().
+  virtual void batch(const any_batch_states& states, const any_batch_results& results) const = 0;
   /// Forgets the motion so far, and the scene's state of the handle.
   virtual void reset() = 0;
   /// Sets the brakes from the next cycle on, as many as in sizes(); see controller::set_brakes.
@@ -119,6 +127,19 @@ class controller_of final : public any_controller {
     return cycle_record(control_(s));
   }
 
+  void batch(const any_batch_states& states, const any_batch_results& results) const override {
+    batch_states<M> s;
+    use_first(states.q, s.q);
+    use_first(states.qd, s.qd);
+    use_first(states.hand_force, s.hand_force);
+    s.time = states.time;
+    batch_results<M> r;
+    use_first(results.capacity, r.capacity);
+    r.outcome = results.outcome;
+    for_each_optional([](const char*, const auto& from, auto& to) { use_first(from, to); }, results, r);
+    control_.batch(s, r);
+  }
+
   void reset() override {
     control_.reset();
     control_.scene().reset();
@@ -127,6 +148,11 @@ class controller_of final : public any_controller {
   std::unique_ptr<any_controller> copy() const override { return std::make_unique<controller_of>(*this); }
 
  private:
+  // The arrays of the components that the device has, or the array.
+  static void use_first(const auto& from, auto& to) {
+    if constexpr (requires { to.front(); }) std::copy_n(from.begin(), to.size(), to.begin());
+    else to = from;
+  }
   static controller_brakes<M> brakes_from(const brake_numbers& brakes) {
     require_count("brakes", std::ssize(brakes.torque_limit), m);
     if (Settles<M> && !brakes.has_no_bounds())
@@ -152,8 +178,8 @@ std::unique_ptr<any_controller> make_controller(const M& mechanism, const contro
         "passive_haptics: scene with effects: expected one without: they need direct_control, and "
         "a mechanism with as many joints and brakes as task dimensions");
   }
-  throw std::invalid_argument("passive_haptics: scene: expected one of dimension " + std::to_string(d) +
-                              ", the task dimension of the mechanism");
+  throw std::invalid_argument("passive_haptics: dimension of the scene = " + std::to_string(d == 2 ? 3 : 2) +
+                              ": expected " + std::to_string(d) + ", the task dimension of the mechanism");
 }
 
 }  // namespace passive_haptics::runtime

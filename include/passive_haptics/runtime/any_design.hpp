@@ -197,8 +197,8 @@ class design_of final : public any_design {
     const auto* wall = std::get_if<any_shape<d>>(&shape);
     if (wall == nullptr)
       throw std::invalid_argument(
-          "passive_haptics: shape of another dimension than the device: expected one of " +
-          std::to_string(d));
+          "passive_haptics: dimension of the shape = " + std::to_string(d == 2 ? 3 : 2) + ": expected " +
+          std::to_string(d) + ", that of the device");
     if constexpr (Dynamics<M>) {
       const auto decide = [&](const device_state<M>& s) {
         decision now{{}, control({s.time, span(s.q), span(s.qd), span(s.hand_force)})};

@@ -62,7 +62,7 @@ TEST_F(comedi_force_sensor, names_what_does_not_fit) {
   expect_error("channels[2] = 8: expected less than 8, the number of channels of subdevice 0");
   p.channels[2] = 2;
   p.reference = example::comedi_reference::differential;
-  expect_error("reference: not of this card: expected one of ground");
+  expect_error("reference = differential: expected one that this card has: ground");
 }
 
 TEST_F(comedi_force_sensor, measures_against_the_reference_that_it_was_given) {

@@ -17,7 +17,7 @@ TEST_F(opening_a_comedi_port, names_what_is_wrong_with_its_parameters) {
     EXPECT_EQ(validate(wrong), text);
     EXPECT_EQ(port(wrong).open(), text) << "open() says the same";
   };
-  expect([](auto& w) { w.device = ""; }, "device is empty: expected a file like /dev/comedi0");
+  expect([](auto& w) { w.device = ""; }, "device = \"\": expected a file like /dev/comedi0");
   expect([](auto& w) { w.output_subdevice = -2; }, "output_subdevice = -2: expected an index, or -1");
   expect([](auto& w) { w.brakes[1].channel = -1; }, "brakes[1].channel = -1: expected an index >= 0");
   expect([](auto& w) { w.brakes[1].channel = 0; },

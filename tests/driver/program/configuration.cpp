@@ -98,6 +98,8 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
       {"[loop]\nperiod = 0", "2: [loop] period [s] = 0: expected 1e-6 to 1"},
       {"[safety]\nat_release = \"off\"",
        "2: safety.at_release = 'off': expected one of \"zero\", \"ramp\", \"hold\""},
+      {"[loop]\nperiod = 0.1\n[safety]\nhold_over = 0.1",
+       "4: [safety] hold_over [s] = 0.1: expected at least 2 times the period of [loop]"},
       {"[safety]\nsupervisor_timeout = 0.001",
        "1: [safety] timeout of the supervisor [s] = 0.001: expected 0.004"},
       {"[simulation]\ndirection = [nan, 1]", "2: [simulation] |direction| = nan: expected a direction"},

@@ -25,11 +25,13 @@ TEST_F(a_home_pose, is_printed_with_its_distance_to_each_wall) {
                                  "wall 1 (half_space): 0.5 mm in front of it\n"));
   const std::string walls =
       "[[walls]]\nnormal = [0, 1]\n[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.3]\nradius = 0.05\n"
-      "[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.14]\nradius = 0.0825\ninside = \"hollow\"\n";
+      "[[walls]]\ntype = \"ball\"\ncentre = [0.08, 0.14]\nradius = 0.0825\ninside = \"hollow\"\n"
+      "[[walls]]\nsurface_point = [0, 0.3]\n[walls.motion]\namplitude = [0, 0.02]\nfrequency = 0.5\n";
   const std::string distances =
       "wall 1 (half_space): 0.5 mm inside it: check that its normal points to the free side\n"
       "wall 2 (ball): 25.5 mm in front of it\n"
-      "wall 3 (ball): 2.0 mm inside it: check its inside (solid: free outside, hollow: free inside)\n";
+      "wall 3 (ball): 2.0 mm inside it: check its inside (solid: free outside, hollow: free inside)\n"
+      "wall 4 (half_space): 55.5 mm in front of it\n";  // at the end of its motion
   const outcome o = check(walls);
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(o.out.ends_with(distances)) << o.out;

@@ -4,7 +4,9 @@
 #include "program.hpp"
 
 #include <array>
+#include <cmath>
 #include <memory>
+#include <numbers>
 
 namespace logs_tests {
 
@@ -143,6 +145,28 @@ TEST_F(a_log, comes_with_a_device_file_that_replays_it) {
 }
 
 // With the memory of a law from before the release, a tenth of the capacities would be others.
+TEST_F(a_log, of_encoders_on_pulleys_has_their_resolution) {
+  const std::string pulleys = R"(
+[encoders]
+slides = [false, false]        # one for each axis
+counts_per_turn = 8192
+)";
+  settings s{.hand_start = 1, .top = "mechanism.type = \"xy_table\"", .sections = pulleys};
+  const outcome o = run(s.text(), {"--seconds", "2", "--quiet"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  const log_file all = log();
+  std::size_t first = 0;
+  while (all.text(first, "q1").empty()) ++first;
+  constexpr double count = 2 * std::numbers::pi / 8192;  // [m]
+  double most = 0;
+  for (std::size_t i = first; i < all.size(); ++i) {
+    const double counts = (all.number(i, "q1") - all.number(first, "q1")) / count;
+    ASSERT_NEAR(counts, std::round(counts), 1e-6) << i;
+    most = std::max(most, counts);
+  }
+  EXPECT_GT(most, 5);
+}
+
 TEST_F(a_log, of_a_run_with_rearms_replays_to_the_same_decisions) {
   start(settings{.max_sleep = 0.4, .hand_start = 0.3, .start_depth = 0.1, .top = ""});
   std::size_t row = 0;

@@ -124,7 +124,8 @@ TEST_F(a_running_driver, refuses_to_keep_currents_where_no_watchdog_ends_them) {
   card.insert(card.find("[safety]\n") + 9, "at_release = \"hold\"\n");
   const outcome comedi = check(card);
   EXPECT_EQ(comedi.status, 2);
-  EXPECT_TRUE(has(comedi.err, "[safety] at_release: expected \"zero\": a card under Comedi has no watchdog"))
+  EXPECT_TRUE(
+      has(comedi.err, "safety.at_release = 'hold': expected \"zero\": a card under Comedi has no watchdog"))
       << comedi.err;
   // It would let go before the supervisor could ramp
   const outcome late =

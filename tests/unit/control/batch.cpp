@@ -50,14 +50,13 @@ TEST(batch, of_saturated_direct_control) {
 }
 
 auto direct(double stiffness = 1e4) {
-  return ph::batch_controller(tendons(), ph::brakes_of<tendons>(),
-                              ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), stiffness)),
-                              ph::direct_control());
+  return ph::controller(tendons(), ph::brakes_of<tendons>(),
+                        ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), stiffness)), ph::direct_control());
 }
 
 std::string error_of(const ph::batch_states<tendons>& in, const ph::batch_results<tendons>& out) {
   try {
-    direct()(in, out);
+    direct().batch(in, out);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -66,13 +65,13 @@ std::string error_of(const ph::batch_states<tendons>& in, const ph::batch_result
 
 // Nothing beyond them: behind the arrays stands what stood there
 TEST(batch, of_any_number_of_states) {
-  const auto batch = direct();
+  const auto control = direct();
   for (std::size_t n = 0; n < 12; ++n) {
     const auto given = states_about(0.225, 2, 12);
     batch_cases::states<tendons> in(given);
     batch_cases::results<tendons> all(12), some(12);
-    batch(in.spans(), all.spans());
-    batch(part_of(in.spans(), 0, n), part_of(some.spans(), 0, n));
+    control.batch(in.spans(), all.spans());
+    control.batch(part_of(in.spans(), 0, n), part_of(some.spans(), 0, n));
     for (std::size_t k = 0; k < 12; ++k) {
       const double first = some.capacity.of[0][k], second = some.signs.of[1][k];
       EXPECT_EQ(first, k < n ? all.capacity.of[0][k] : -7) << n << ", " << k;
@@ -90,8 +89,8 @@ TEST(batch, at_a_held_scene_samples_it_for_each_state) {
   std::fill(in.time.begin(), in.time.end(), 0.0);
   batch_cases::results<tendons> held(given.size()), free(given.size());
   const auto run = [&](const auto& seen, auto& to) {
-    ph::batch_controller(tendons(), ph::brakes_of<tendons>(), seen, ph::direct_control())(in.spans(),
-                                                                                          to.spans());
+    ph::controller(tendons(), ph::brakes_of<tendons>(), seen, ph::direct_control())
+        .batch(in.spans(), to.spans());
   };
   run(ph::held_scene(scene, 1.0), held);
   run(scene, free);
@@ -110,11 +109,10 @@ TEST(batch, of_states_without_hand_force_and_time) {
   without.time = {};
   without.hand_force = {};
   batch_cases::results<tendons> got(n), expected(n);
-  const ph::batch_controller batch(tendons(), ph::brakes_of<tendons>(),
-                                   ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4)),
-                                   ph::no_direct_control());
-  batch(in.spans(), expected.spans());
-  batch(without, got.spans());
+  const ph::controller control(tendons(), ph::brakes_of<tendons>(),
+                               ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4)), ph::no_direct_control());
+  control.batch(in.spans(), expected.spans());
+  control.batch(without, got.spans());
   EXPECT_EQ(got.capacity.of, expected.capacity.of);
   EXPECT_EQ(got.outcome, expected.outcome);
   EXPECT_EQ(got.signs.of, expected.signs.of);
@@ -131,7 +129,7 @@ TEST(batch, refuses_arrays_of_other_lengths) {
     change(states, results);
     return error_of(states, results);
   };
-  EXPECT_EQ(error_after([](auto& s, auto&) { s.qd[1] = s.qd[1].first(9); }),
+  EXPECT_EQ(error_after([](auto& s, auto&) { s.qd[1] = s.qd[1].subspan(0, 9); }),
             "passive_haptics: length of qd[1] = 9: expected 10, one number for each state, as q[0] has");
   EXPECT_EQ(error_after([](auto& s, auto&) { s.hand_force[0] = {}; }),
             "passive_haptics: length of hand_force[0] = 0: expected 10, one number for each state, as q[0] "
@@ -141,18 +139,9 @@ TEST(batch, refuses_arrays_of_other_lengths) {
             "use a law that needs none (no_direct_control)");
   EXPECT_EQ(error_after([](auto&, auto& r) { r.outcome = {}; }),
             "passive_haptics: length of outcome = 0: expected 10, one number for each state, as q[0] has");
-  EXPECT_EQ(error_after([](auto&, auto& r) { r.alpha = r.alpha.first(1); }),
+  EXPECT_EQ(error_after([](auto&, auto& r) { r.alpha = r.alpha.subspan(0, 1); }),
             "passive_haptics: length of alpha = 1: expected 10, one number for each state, as q[0] has; or "
             "leave alpha empty");
-}
-
-TEST(batch, refuses_what_a_controller_refuses) {
-  ph::brakes_of<tendons> brakes;
-  brakes.torque_limit[0] = -1;
-  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1})));
-  EXPECT_THROW(ph::batch_controller(tendons(), brakes, scene, ph::direct_control()), std::invalid_argument);
-  EXPECT_THROW(ph::batch_controller(tendons(), ph::brakes_of<tendons>(), scene, ph::direct_control{-1}),
-               std::invalid_argument);
 }
 
 template <class L, class S>

@@ -1,7 +1,7 @@
 // Batches beside single cycles: what they promise of each mechanism, law and scene.
 #pragma once
 
-#include <passive_haptics/control/batch/batch_controller.hpp>
+#include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
@@ -127,19 +127,19 @@ std::array<int, 4> expect_that_of_single_cycles(const M& mechanism, const B& bra
                                                 const L& law,
                                                 const ph::step_options<typename M::scalar>& options,
                                                 const std::vector<ph::device_state<M>>& given) {
-  const ph::batch_controller batch(mechanism, brakes, scene, law, options);
+  const ph::controller control(mechanism, brakes, scene, law, options);
   states<M> in(given);
   results<M> whole(given.size()), commands(given.size());
-  batch(in.spans(), whole.spans());
-  batch(in.spans(), commands.commands());
+  control.batch(in.spans(), whole.spans());
+  control.batch(in.spans(), commands.commands());
   std::array<int, 4> seen{};
   int wrong = 0;
   for (std::size_t k = 0; k < given.size() && wrong < 3; ++k) {
-    ph::controller single(mechanism, brakes, scene, law, options);
+    auto single = control;
     const auto expected = single(given[k]);
     ++seen[std::size_t(expected.power)];
-    single.reset();
-    const auto command = ph::controller(mechanism, brakes, scene, law, options).command(given[k]);
+    auto commanded = control;
+    const auto command = commanded.command(given[k]);
     const bool is_right = agree(whole, k, expected) && commands.outcome[k] == command.outcome &&
                           agree(commands.capacity.of, k, command.capacity);
     wrong += !is_right;

@@ -138,8 +138,8 @@ TEST(stopping_torques, of_a_brake_that_turns_never_drive) {
   ph::brakes_of<M> brakes;
   brakes.rate_dead_band.setConstant(1e-3);
   for (const double side : {1.0, -1.0}) {
-    const pair qd(0.01 * side, 0), Fh(-5 * side, 0);
-    const ph::pose_dynamics<M> device({table, pair(0, 0)}, qd, 0.4);
+    const pair q(0, 0), qd(0.01 * side, 0), Fh(-5 * side, 0);
+    const ph::pose_dynamics<M> device({table, q}, qd, 0.4);
     const auto t = ph::stopping_torques(device, ph::weighted_motion<M>(device, qd, Fh), brakes, 0.0075);
     EXPECT_LE(t.norm(), 1e-9);
   }

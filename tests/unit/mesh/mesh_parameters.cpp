@@ -36,7 +36,7 @@ TEST(mesh_parameters, say_what_is_wrong) {
   EXPECT_EQ(validate(ph::mesh_parameters<3>{}), "a mesh has no facets: expected one or more");
   for (const std::size_t i : {3u, 0u})
     EXPECT_EQ(error_after([i](auto& p) { p.vertices[i][1] = no_number; }, cube()),
-              "vertex " + std::to_string(i) + " of a mesh is not finite: expected metres");
+              "vertices[" + std::to_string(i) + "][1] of a mesh [m] = nan: expected a finite number");
   for (const int i : {8, -1})
     EXPECT_EQ(error_after([i](auto& p) { p.facets[7][2] = i; }, cube()),
               "facet 7 of a mesh: index of a vertex = " + std::to_string(i) +

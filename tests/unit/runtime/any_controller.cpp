@@ -75,7 +75,7 @@ TEST(any_controller, is_for_brakes_and_a_scene_of_its_mechanism) {
             "passive_haptics: number of brakes = 3: expected 2");
   const rt::any_scene<3> space(ph::scene(ph::wall(ph::half_space<3>({0, 0, 0}, {0, 0, 1}))));
   EXPECT_EQ(error_of(parts_of<law>(space)),
-            "passive_haptics: scene: expected one of dimension 2, the task dimension of the mechanism");
+            "passive_haptics: dimension of the scene = 3: expected 2, the task dimension of the mechanism");
 }
 
 TEST(any_controller, takes_other_brakes_and_copies_with_a_memory_of_its_own) {

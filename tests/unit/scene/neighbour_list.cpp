@@ -1,5 +1,6 @@
 // How long a list of neighbours lasts: until an item may have been reached, and hardly shorter.
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/scene/world/neighbour_list.hpp>
 #include <passive_haptics/scene/world/world.hpp>
@@ -127,25 +128,29 @@ TEST(a_list_of_neighbours, stays_idle_while_what_moves_is_further_off_than_the_h
   EXPECT_FALSE(near.idle({0, 0}));
 }
 
-// Far from the origin, too, where distances are rounded.
+// Distances are rounded far from the origin, and near it by the far centre of a moving ball.
 TEST(a_world, is_touched_as_soon_as_the_handle_is_behind_a_wall) {
   constexpr unsigned seed = 20040627;
   ph::testing::random_source random(seed);
   int touched = 0;
-  for (int k = 0; k < 1000; ++k) {
-    const ph::point<2> out = random.direction<double, 2>(), along(-out.y(), out.x()),
-                       place = 1e6 * random.direction<double, 2>();
-    const ph::half_space<2> plane(place + 1e6 * along, out);
+  const auto expect_touch = [&](auto shape, bool moves, const ph::point<2>& place, const ph::point<2>& out) {
     ph::world_walls<2> walls;
-    walls.add(ph::wall(plane));
+    if (moves) walls.add_moving(ph::wall(shape));
+    else walls.add(ph::wall(shape));
     ph::world<2> w(walls);
     for (int again = 0; again < 2; ++again) EXPECT_TRUE(ph::sense(w, place + out).empty());
     const ph::point<2> x = place + random.uniform(-1e-9, 1e-9) * out;
-    const bool behind = plane.distance(x) < 0;
-    ASSERT_EQ(ph::sense(w, x).size(), behind ? 1 : 0) << "seed " << seed << ", trial " << k;
+    const bool behind = shape.distance(x) < 0;
+    ASSERT_EQ(ph::sense(w, x).size(), behind ? 1 : 0) << "seed " << seed << ", moves " << moves;
     touched += behind;
+  };
+  for (int k = 0; k < 1000; ++k) {
+    const ph::point<2> out = random.direction<double, 2>(), along(-out.y(), out.x()),
+                       place = random.direction<double, 2>();
+    expect_touch(ph::half_space<2>(1e6 * (place + along), out), false, 1e6 * place, out);
+    expect_touch(ph::ball<2>(place - 1e6 * out, 1e6), true, place, out);
   }
-  EXPECT_GT(touched, 300);
+  EXPECT_GT(touched, 600);
 }
 
 }  // namespace

@@ -280,11 +280,11 @@ TEST(a_world, refuses_a_wall_that_is_nowhere) {
   };
   EXPECT_EQ(said_of({{0, 0}, {0, 0}}), "");
   EXPECT_EQ(said_of({{-infinity, -1}, {1, infinity}}), "");
-  for (const ph::bounding_box<2>& bad :
-       {ph::bounding_box<2>{{0, 1}, {1, 0}}, {{1, 0}, {0, 1}}, {{nan, 0}, {1, 1}}, {{0, 0}, {1, nan}}})
-    EXPECT_EQ(
-        said_of(bad),
-        "bounds of wall 1 of a world are not lower <= upper: expected a box of finite or infinite metres");
+  const std::string name = "bounds of wall 1 of a world: upper[";
+  EXPECT_EQ(said_of({{0, 1}, {1, 0}}), name + "1] [m] = 0: expected at least lower, 1");
+  EXPECT_EQ(said_of({{1, 0}, {0, 1}}), name + "0] [m] = 0: expected at least lower, 1");
+  EXPECT_EQ(said_of({{nan, 0}, {1, 1}}), name + "0] [m] = 1: expected at least lower, nan");
+  EXPECT_EQ(said_of({{0, 0}, {1, nan}}), name + "1] [m] = nan: expected at least lower, 0");
   ph::world_walls<2> given;
   given.add(ph::any_wall<2>(ph::wall(ph::ball<2>({0, 0}, 1)), ph::box_about<2>({0, 0}, -1)));
   EXPECT_THROW(ph::world<2>{given}, std::invalid_argument);

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import importlib
 import os
-from typing import Any
+from typing import TYPE_CHECKING
 
 from passive_haptics import catalogue as _catalogue
 from passive_haptics._native import __version__ as __version__
@@ -67,15 +67,12 @@ def include_folders() -> list[str]:
     return [os.path.join(os.path.dirname(__file__), "include"), "/usr/include/eigen3"]
 
 
-_LATER = ["plots", "sweep", "producible_forces"]
+if TYPE_CHECKING:
+    from passive_haptics import plots, producible_forces, sweep
+else:
 
-
-def __dir__() -> list[str]:
-    return [*globals(), *_LATER]
-
-
-def __getattr__(name: str) -> Any:
-    """Imports the modules of pictures and sweeps at their first use."""
-    if name in _LATER:
-        return importlib.import_module(f"passive_haptics.{name}")
-    raise AttributeError(f"module 'passive_haptics' has no attribute {name!r}")
+    def __getattr__(name):
+        """Imports the modules of pictures and sweeps at their first use."""
+        if name in ("plots", "producible_forces", "sweep"):
+            return importlib.import_module(f"passive_haptics.{name}")
+        raise AttributeError(f"module 'passive_haptics' has no attribute {name!r}")

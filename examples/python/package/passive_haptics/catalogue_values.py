@@ -35,9 +35,8 @@ class catalogue_value(value):
     def __init__(self, given: dict[str, Any], dimension: Optional[int] = None) -> None:
         if not hasattr(type(self), "_name"):
             raise TypeError(f"passive_haptics: {type(self).__name__} is a base class: expected one that derives from it")
-        parameters = {key: of for key, of in given.items() if of is not None}
         dimension = self._dimension_of(given) if dimension is None else dimension
-        named = _native.named(self._list, self._name, dimension, parameters)
+        named = _native.named(self._list, self._name, dimension, given)
         self._parameters = named.parameters()
         self._held = self._make(named)
 

@@ -1,7 +1,6 @@
 """Serial chains by their usual shapes, and their inverse kinematics."""
 
 import collections.abc
-import warnings
 
 import numpy as np
 
@@ -14,13 +13,8 @@ from passive_haptics.values import readable
 
 def planar_arm(lengths: collections.abc.Sequence[float]) -> serial_chain:
     """A planar arm of two to four revolute joints, all its links [m] along x in the zero pose."""
-    if len(lengths) not in (2, 3, 4):
-        raise ValueError(f"passive_haptics: length of lengths = {len(lengths)}: expected 2, 3 or 4")
-    joints, reached = [], 0.0
-    for length in lengths:
-        joints.append({"point": [reached, 0.0]})
-        reached += length
-    return serial_chain(joints=joints, handle=[reached, 0.0])
+    *joints, handle = np.cumsum([0.0, *_native.vector(lengths, "lengths", -1)]).tolist()
+    return serial_chain(joints=[{"point": [x, 0.0]} for x in joints], handle=[handle, 0.0])
 
 
 def chain_from_urdf(path: Path, base: str, tip: str, tool: Numbers = (0.0, 0.0, 0.0), balanced: bool = False) -> serial_chain:
@@ -30,10 +24,7 @@ def chain_from_urdf(path: Path, base: str, tip: str, tool: Numbers = (0.0, 0.0, 
     as necessary. A chain of 2 to 4 joints that moves in one plane is planar. Warns about parts of the file that are left out.
     Raises ValueError with the file and its element, RuntimeError if the package is built without urdfdom.
     """
-    parameters, remarks = _native.chain_from_urdf(readable(path), base, tip, list(map(float, tool)), balanced)
-    if remarks:
-        warnings.warn(remarks.rstrip("\n"), stacklevel=2)
-    return serial_chain(**parameters)
+    return serial_chain(**_native.chain_from_urdf(readable(path), base, tip, tool, balanced))
 
 
 def nearest_pose(mechanism: mechanism, x: Numbers, start: Numbers) -> tuple[Array, status]:
@@ -43,10 +34,8 @@ def nearest_pose(mechanism: mechanism, x: Numbers, start: Numbers) -> tuple[Arra
     Marquardt) of minimum norm, about 10 us each. Out of reach, the result is the nearest point that
     the steps found (status.out_of_reach).
     """
-    MOST_STEPS, LEAST_DAMPING, MOST_DAMPING = 200, 1e-15, 1e6
-    target, q, damping = np.array(x, dtype=float), np.array(start, dtype=float), 1e-3
-    if target.shape != (mechanism.task_dimension,):
-        raise ValueError(f"passive_haptics: shape of x = {target.shape}: expected ({mechanism.task_dimension},)")
+    MOST_STEPS, LEAST_DAMPING, MOST_DAMPING, damping = 200, 1e-15, 1e6, 1e-3
+    target, q = _native.vector(x, "x", mechanism.task_dimension), np.array(_native.vector(start, "start", mechanism.dof))
     error = target - mechanism.position(q)
     if not np.isfinite(error).all():
         return q, status.state_not_finite

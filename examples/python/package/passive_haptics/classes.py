@@ -38,7 +38,7 @@ ABOUT = {
     "eddy_current": "Drag by eddy currents: no torque at rest.",
     "magnetorheological": "A magnetorheological brake, with saturation and hysteresis.",
     "presliding": "A coulomb_brake that turns elastically before it slips.",
-    "following_hand": "A hand that moves along a wall in a direction and presses on it, at start [m] at time 0.",
+    "following_hand": "A hand that presses on a wall and moves in direction (length > 0) from start [m], d numbers each.",
     "wall_following_parameters": "Timing and sensing of a wall-following experiment.",
 }
 HEAD = '''"""The entries of the library's catalogue as classes. Made by classes.py at the build."""

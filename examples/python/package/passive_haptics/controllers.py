@@ -15,9 +15,8 @@ from passive_haptics.devices import brakes, mechanism
 from passive_haptics.scenes import _any_scene
 from passive_haptics.values import expect, value
 
-_KINDS = {"outcome": "i4", "power": "i4", "display": "i4", "wall_number": "i4", "saturated": "?"}
-FIELDS: dict[str, str] = dict(_native.BATCH_FIELDS)
-"""Names of the results of a batch: 'm' numbers for the brakes, 'd' for the task dimensions, or '1'."""
+FIELDS: tuple[str, ...] = _native.BATCH_FIELDS
+"""Names of the results of a batch."""
 
 
 class batch_result:
@@ -30,12 +29,10 @@ class batch_result:
         self.__dict__.update(arrays)
 
     def __getattr__(self, name: str) -> Array:
-        if name in FIELDS:
-            raise AttributeError(
-                f"passive_haptics: {name} of a batch_result was not asked for: expected one of {', '.join(vars(self))}; "
-                f"call batch(..., fields=[{name!r}])"
-            )
-        raise AttributeError(f"passive_haptics: a batch_result has no {name}: expected one of {', '.join(vars(self))}")
+        raise AttributeError(
+            f"passive_haptics: a batch_result has no {name}: expected one of {', '.join(vars(self))}"
+            + (f"; or call batch(..., fields=[{name!r}])" if name in FIELDS else "")
+        )
 
     def __len__(self) -> int:
         """N."""
@@ -86,21 +83,15 @@ class controller(value):
                 f"passive_haptics: scene has dimension {scene.dimension}: expected {mechanism.task_dimension}, the task "
                 "dimension of the mechanism"
             )
-        given = {"limits": limits}
-        if max_approximation_angle is not None:
-            given["max_approximation_angle"] = max_approximation_angle  # type: ignore[assignment]
+        given = {"limits": limits, "max_approximation_angle": max_approximation_angle}
         options = _native.named("table", "controller", 0, given)
         self._parameters = {"mechanism": mechanism, "brakes": brakes, "scene": scene, "law": law, **options.parameters()}
         self._held = _native.controller(mechanism._held, known, scene._held, law._held, options)
 
     def __call__(self, state: device_state) -> step_result:
         """One control cycle."""
-        try:
-            result: step_result = self._held.step(state)
-            return result
-        except TypeError:
-            expect(state, device_state, "state", "a device_state")
-            raise
+        result: step_result = self._held.step(state)
+        return result
 
     def batch(
         self,
@@ -111,6 +102,7 @@ class controller(value):
         *,
         fields: Optional[collections.abc.Iterable[str]] = None,
         out: Optional[batch_result] = None,
+        workers: int = 1,
     ) -> batch_result:
         """Computes the cycles of N states, each as the first of a motion. Releases the global interpreter lock.
 
@@ -121,53 +113,22 @@ class controller(value):
         hand_force : N x d [N]
             Base frame; None without a force sensor.
         time : N [s]
-        fields : names
+        fields : a name, or names
             Results to store in addition to capacity and outcome; None: all, or all of `out`.
         out : batch_result
             An earlier result for the same number of states; its arrays are overwritten.
+        workers : int
+            Number of threads, at most one for each processor; -1: one for each.
         """
-        n, d, m = self._held.sizes()
-        if np.ndim(q) != 2 or np.shape(q)[1] != n:
-            raise ValueError(f"passive_haptics: shape of q = {np.shape(q)}: expected (N, {n}), a row for each state")
-        states = np.shape(q)[0]
-        for name, given in (("qd", qd), ("hand_force", hand_force)):
-            if given is not None and (np.ndim(given) != 2 or np.shape(given)[0] != states):
-                raise ValueError(f"passive_haptics: shape of {name} = {np.shape(given)}: expected {states} rows, as q has")
-        if out is not None:
-            expect(out, batch_result, "out", "what batch() returned for as many states")
-        wanted = self._wanted(fields, out)
-        widths = {"m": (m,), "d": (d,), "1": ()}
-        arrays = {} if out is None else vars(out)
-        stored = {}
-        for name in wanted:
-            shape = (states, *widths[FIELDS[name]])
-            stored[name] = arrays[name] if name in arrays else np.empty(shape, _KINDS.get(name, "f8"))
-            if stored[name].shape != shape:
-                raise ValueError(
-                    f"passive_haptics: shape of out.{name} = {stored[name].shape}: expected {shape}: pass a result of as many "
-                    "states of this device"
-                )
-            if not stored[name].flags.writeable:
-                raise ValueError(f"passive_haptics: out.{name} is read-only: expected an array that can be written")
-            for input_name, given in (("q", q), ("qd", qd), ("hand_force", hand_force), ("time", time)):
-                if out is not None and given is not None and np.may_share_memory(given, stored[name]):
-                    raise ValueError(
-                        f"passive_haptics: {input_name} shares memory with out.{name}: expected other memory: pass "
-                        f"{input_name}.copy()"
-                    )
-        self._held.batch(q, qd, hand_force, time, stored)
-        if out is None:
-            return batch_result(stored)
-        out.__dict__.update(stored)
-        return out
+        arrays = {} if out is None else vars(expect(out, batch_result, "out", "what batch() returned for as many states"))
+        arrays.update(self._held.batch(q, qd, hand_force, time, self._wanted(fields, out), arrays, workers))
+        return batch_result(arrays) if out is None else out
 
     @staticmethod
     def _wanted(fields: Optional[collections.abc.Iterable[str]], out: Optional[batch_result]) -> list[str]:
         if fields is None:
-            return [*FIELDS] if out is None else [name for name in FIELDS if name in vars(out)]
-        if isinstance(fields, str):
-            raise TypeError(f"passive_haptics: fields = {fields!r} (str): expected a list of names, [{fields!r}]")
-        names = list(fields)
+            return list(FIELDS) if out is None else [name for name in FIELDS if name in vars(out)]
+        names = [fields] if isinstance(fields, str) else list(expect(fields, collections.abc.Iterable, "fields", "a list of names"))
         for name in names:
             if name not in FIELDS:
                 raise ValueError(f"passive_haptics: fields has {name!r}: expected names among {', '.join(FIELDS)}")
@@ -199,5 +160,6 @@ def _same_bits(self: Any, other: object) -> Any:
 
 
 for _kind in (device_state, step_result):
-    for _name, _of in {"__module__": "passive_haptics", "__repr__": _show, "__eq__": _same_bits, "__hash__": None}.items():
+    for _name, _of in {"__repr__": _show, "__eq__": _same_bits, "__hash__": None}.items():
         setattr(_kind, _name, _of)
+setattr(device_state, "__reduce__", lambda self: (device_state, (self.time, self.q, self.qd, self.hand_force)))

@@ -44,21 +44,13 @@ class device_description:
 
 
 def load(path: Path) -> device_description:
-    """Reads a device file (docs/guide/device.md). Raises ValueError with file, line and key.
+    """Reads a device file (docs/guide/device.md). Raises ValueError with file, line and key; warns of
+    unusual values.
 
     Sections of brake_driver, such as [port], are ignored.
     """
-    found = _native.read_device(readable(path))
-    (name, parameters), (of_law, values) = found["mechanism"], found["law"]
+    (name, parameters), of_brakes, (of_law, values), of_models, text, *others = _native.read_device(readable(path))
     kind = serial_chain if "_chain_" in name else getattr(catalogue, name)
-    models = (getattr(catalogue, f"{of}_brake")(**each) for of, each in found["brake_models"])
-    return device_description(
-        kind(**parameters),
-        brakes(**found["brakes"]),
-        getattr(catalogue, of_law)(**values),
-        scene_of_device(found["text"]),
-        tuple(models),
-        found["has_force_sensor"],
-        found["options"],
-        found["remarks"],
-    )
+    models = tuple(getattr(catalogue, f"{of}_brake")(**each) for of, each in of_models)
+    law = getattr(catalogue, of_law)(**values)
+    return device_description(kind(**parameters), brakes(**of_brakes), law, scene_of_device(text), models, *others)

@@ -52,7 +52,7 @@ class brakes(catalogue_value):
         sizes = [len(of) for of in given.values() if hasattr(of, "__len__") and not isinstance(of, str)]
         if count is None and not sizes:
             raise TypeError("passive_haptics: brakes need a number for each brake, [1, 1], or count=2")
-        super().__init__(given, count if count is not None else sizes[0])
+        super().__init__(given, sizes[0] if count is None else _native.whole_number(count, "count"))
         self._parameters = {key: np.atleast_1d(of).tolist() for key, of in self._parameters.items()}
 
     @property
@@ -157,7 +157,7 @@ class mechanism(catalogue_value):
         return catalogue.on_off_control(lead=float(np.max(known.parameters()["time_constant"])))
 
     def _require_square(self, function: str) -> None:
-        if not self._held.has_reference_forces():
+        if len({*self._held.sizes()}) != 1:
             raise TypeError(
                 f"passive_haptics: {function} needs as many brakes and joints as task dimensions, but the mechanism has "
                 f"{self.dof} joints, {self.brake_count} brakes and {self.task_dimension} task dimensions"

@@ -41,8 +41,7 @@ def unit_vector(of: Numbers, name: str) -> Array:
     vector = np.asarray(of, dtype=float)
     length = float(np.linalg.norm(vector))
     if vector.shape != (2,) or not 0 < length < math.inf:
-        text = f"passive_haptics: {name} = {vector.tolist()}: expected two finite numbers, not both 0"
-        raise ValueError(text)
+        raise ValueError(f"passive_haptics: {name} = {vector.tolist()}: expected two finite numbers, not both 0")
     return vector / length
 
 

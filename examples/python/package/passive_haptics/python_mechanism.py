@@ -61,9 +61,3 @@ class python_mechanism(mechanism):
     def __repr__(self) -> str:
         shown = (f"{key}={getattr(of, '__qualname__', repr(of))}" for key, of in self._parameters.items())
         return f"python_mechanism({', '.join(shown)})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        for key, of in self._parameters.items():
-            if getattr(of, "__name__", "") == "<lambda>":
-                raise TypeError(f"passive_haptics: {key} is a lambda, which cannot be pickled: expected a function of a module")
-        return super().__reduce__()

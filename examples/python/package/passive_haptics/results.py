@@ -19,6 +19,11 @@ class _in_words(enum.IntEnum):
         """The value in words."""
         return _native.text_of(type(self).__name__, self.value)
 
+    def __str__(self) -> str:
+        return self.text
+
+    __format__ = enum.Enum.__format__  # of this text
+
 
 def of_one(kind: type[Any], numbers: NDArray[Any]) -> Any:
     """The number of a single pose as this type; the array of several as it is."""

@@ -10,7 +10,7 @@ import numpy as np
 from passive_haptics import _native
 from passive_haptics.arrays import Array, Integers, Path, Rows
 from passive_haptics.catalogue_values import dimensional, effect, shape
-from passive_haptics.values import expect, number, readable
+from passive_haptics.values import expect, readable
 
 LARGEST_SHOWN = 20
 """Vertices or facets of a mesh, with a repr of all of them."""
@@ -51,7 +51,7 @@ class mesh(dimensional):
 
     def plausibility(self, reach: float) -> str:
         """A line for each implausible property, for a device of this reach [m]; "" if there is none."""
-        return str(self._held.plausibility(number(reach, "reach")))
+        return str(self._held.plausibility(_native.number(reach, "reach")))
 
     def __len__(self) -> int:
         """The number of facets."""
@@ -69,7 +69,7 @@ class mesh(dimensional):
 
 
 def _read(form: str, path: Path, metres_per_unit: float) -> tuple[mesh, str]:
-    vertices, facets, remarks = _native.read_mesh(form, readable(path), number(metres_per_unit, "metres_per_unit"))
+    vertices, facets, remarks = _native.read_mesh(form, readable(path), _native.number(metres_per_unit, "metres_per_unit"))
     return mesh(vertices, facets), remarks
 
 
@@ -121,7 +121,7 @@ class mesh_surface(dimensional):
 
     def __init__(self, surface: mesh, skin: float = 1e-7, crease_angle: float = 0.5235987755982988) -> None:
         expect(surface, mesh, "surface", "a mesh: mesh(vertices, facets)")
-        numbers = {"skin": number(skin, "skin"), "crease_angle": number(crease_angle, "crease_angle")}
+        numbers = {"skin": _native.number(skin, "skin"), "crease_angle": _native.number(crease_angle, "crease_angle")}
         self._parameters = {"surface": surface, **numbers}
         self._held = _native.mesh_surface(surface._held, skin, crease_angle)
 
@@ -132,7 +132,7 @@ class wall(dimensional):
     def __init__(self, shape: Union[shape, mesh_surface], stiffness: float = 1e7) -> None:
         if not isinstance(shape, mesh_surface):
             expect(shape, _shape, "shape", "a shape such as half_space(...): a wall is made of (shape, stiffness)")
-        self._parameters = {"shape": shape, "stiffness": number(stiffness, "stiffness")}
+        self._parameters = {"shape": shape, "stiffness": _native.number(stiffness, "stiffness")}
         self._held = _native.wall(shape._held, stiffness)
 
 
@@ -142,15 +142,9 @@ _shape = shape
 class _any_scene(dimensional):
     """The members of all scenes."""
 
-    def _arguments(self) -> tuple[Any, ...]:
-        """All parameters by their order, those of *walls or *effects one by one."""
-        return tuple(each for of in self._parameters.values() for each in (of if isinstance(of, tuple) else (of,)))
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(map(repr, self._arguments()))})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), self._arguments()
+    def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        """All by their order, those of *walls or *effects one by one."""
+        return tuple(each for of in self._parameters.values() for each in (of if isinstance(of, tuple) else (of,))), {}
 
 
 def _scene_of(kind: str, walls: collections.abc.Sequence[Any], is_world: bool) -> Any:
@@ -192,7 +186,7 @@ class held_scene(_any_scene):
 
     def __init__(self, scene: _any_scene, period: float) -> None:
         expect(scene, _any_scene, "scene", "a scene: held_scene(scene(wall(shape, stiffness)), period)")
-        self._parameters = {"scene": scene, "period": number(period, "period")}
+        self._parameters = {"scene": scene, "period": _native.number(period, "period")}
         self._held = _native.held_scene(scene._held, period)
 
 

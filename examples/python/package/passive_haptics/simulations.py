@@ -14,7 +14,7 @@ from passive_haptics.catalogue_values import brake_model, shape
 from passive_haptics.controllers import controller
 from passive_haptics.devices import brakes, mechanism
 from passive_haptics.results import contact_metrics
-from passive_haptics.values import expect, number, value
+from passive_haptics.values import expect, value
 
 
 class simulated_device(value):
@@ -39,9 +39,9 @@ class simulated_device(value):
     ) -> None:
         expect(mechanism, _mechanism, "mechanism", "a mechanism such as two_link()")
         models = _models(mechanism, brakes)
-        self._parameters = {"mechanism": mechanism, "brakes": brakes, "hand_mass": number(hand_mass, "hand_mass")}
-        self._parameters["q"] = np.array(q, dtype=float).tolist()
-        self._held = _native.plant(mechanism._held, [each._held for each in models], hand_mass, q)
+        mass = _native.number(hand_mass, "hand_mass")
+        self._held = _native.plant(mechanism._held, [each._held for each in models], mass, q)
+        self._parameters = {"mechanism": mechanism, "brakes": brakes, "hand_mass": mass, "q": self._held.q().tolist()}
 
     def advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None:
         """Advances by a time step dt [s], with commanded capacities [N m] and the force of the hand's muscles [N].
@@ -49,7 +49,7 @@ class simulated_device(value):
         Does nothing unless dt is a finite number > 0. If dt is more than twice the time constants of the hand's spring and
         damper, the motion diverges.
         """
-        self._held.advance(number(dt, "dt"), capacity, muscle_force)
+        self._held.advance(_native.number(dt, "dt"), capacity, muscle_force)
 
     def set_motion(self, q: Numbers, qd: Numbers) -> None:
         """Sets joint positions [rad or m] and rates, and resets the energy balance."""
@@ -130,9 +130,9 @@ def follow_wall(
     expect(hand, following_hand, "hand", "a following_hand(direction, start)")
     parameters = wall_following_parameters() if parameters is None else parameters
     expect(parameters, wall_following_parameters, "parameters", "wall_following_parameters(...)")
-    of = device.parameters["mechanism"]
+    of = device._parameters["mechanism"]
     n, d, m = of._held.sizes()
-    if controller._held.sizes() != (n, d, m):
+    if controller._parameters["mechanism"]._held.sizes() != (n, d, m):
         raise ValueError("passive_haptics: controller is of another mechanism: expected one of the device's sizes")
     metrics, numbers = _native.follow_wall(
         of._held, device._held, controller._held, shape._held, hand._held, parameters._held, record

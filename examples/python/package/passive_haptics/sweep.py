@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import collections.abc
 import errno
+import numbers
 import operator
 import os
 import pickle
@@ -17,6 +18,7 @@ from typing import Any, TypeVar
 
 from passive_haptics.arrays import Path
 from passive_haptics.tasks import Experiment, completed_outcomes, run_task
+from passive_haptics.values import expect
 
 Result = TypeVar("Result")
 AFTER = 2.0
@@ -80,9 +82,9 @@ def sweep(
         If another sweep uses the file.
     """
     order = _distinct(items)
+    expect(executor, (Executor, type(None)), "executor", "an Executor of concurrent.futures")
     if experiments_per_task < 1:
-        text = f"passive_haptics: experiments_per_task = {experiments_per_task}: expected 1 or more"
-        raise ValueError(text)
+        raise ValueError(f"passive_haptics: experiments_per_task = {experiments_per_task}: expected 1 or more")
     failures: dict[bytes, str] = {}
     with _results_in(file) as stored:
         known = dict(stored.execute("SELECT item, result FROM results"))
@@ -110,10 +112,9 @@ def _distinct(items: collections.abc.Iterable[Any]) -> list[bytes]:
     order: dict[bytes, None] = {}
     for item in items:
         try:
-            pickled = pickle.dumps(operator.index(item) if hasattr(item, "__index__") else item, protocol=4)
+            pickled = pickle.dumps(operator.index(item) if isinstance(item, numbers.Integral) else item, protocol=4)
         except Exception as error:
-            text = f"passive_haptics: item = {item!r}: expected one that can be pickled: {error}"
-            raise TypeError(text) from None
+            raise TypeError(f"passive_haptics: item = {item!r}: expected one that can be pickled: {error}") from None
         if pickled in order:
             raise ValueError(f"passive_haptics: item {item!r} is given twice: expected distinct items")
         order[pickled] = None
@@ -136,8 +137,7 @@ def _results_in(file: Path | None) -> collections.abc.Iterator[sqlite3.Connectio
             text = f"passive_haptics: file = {name} is in use: expected one that no other sweep writes"
             raise BlockingIOError(errno.EAGAIN, text) from None
         except sqlite3.DatabaseError as error:
-            text = f"passive_haptics: file = {name}: {error}: expected a new file or one of a sweep"
-            raise ValueError(text) from None
+            raise ValueError(f"passive_haptics: file = {name}: {error}: expected a new file or one of a sweep") from None
         yield results
 
 

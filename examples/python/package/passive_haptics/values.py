@@ -8,9 +8,7 @@ import inspect
 import os
 import sys
 import warnings
-from typing import Any
-
-import numpy as np
+from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from passive_haptics.arrays import Path
 
@@ -20,25 +18,42 @@ class value:
 
     _parameters: dict[str, Any]
     _held: Any
+    _base: ClassVar[type[Any]]
+    """The class of the package, whose __init__ takes the parameters."""
 
     def __init_subclass__(cls) -> None:
         init = vars(cls).get("__init__")
         if init is not None and ("_name" in vars(cls) or init.__module__.startswith("passive_haptics.")):  # of no user
+            cls._base = cls
             setattr(cls, "__init__", with_suggestions(init))
 
-    def __getattr__(self, name: str) -> Any:
-        kind = type(self).__name__
-        if name in ("_held", "_parameters"):
-            raise TypeError(f"passive_haptics: a {kind} without parameters: expected a call of super().__init__(...)")
-        raise AttributeError(f"passive_haptics: a {kind} has no {name}")
+    if not TYPE_CHECKING:  # a checker of types reports unknown members
+
+        def __getattr__(self, name: str) -> Any:
+            kind = type(self).__name__
+            if name in ("_held", "_parameters"):
+                raise TypeError(f"passive_haptics: a {kind} without parameters: expected a call of super().__init__(...)")
+            hint = f": expected parameters[{name!r}]" if name in self._parameters else ""
+            raise AttributeError(f"passive_haptics: a {kind} has no {name}{hint}")
+
+        def __setattr__(self, name: str, of: Any) -> None:
+            if name in vars(self).get("_parameters", ()):
+                kind = type(self).__name__
+                raise AttributeError(f"passive_haptics: a {kind} does not change: expected a new one, {kind}(..., {name}={of!r})")
+            super().__setattr__(name, of)
 
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-        return dict(self._parameters)
+        return cast(dict[str, Any], _copied(self._parameters))
+
+    def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        """Arguments of an equal value: by their order, and by their names."""
+        return (), self._parameters
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{key}={of!r}' for key, of in self._parameters.items())})"
+        ordered, named = self._arguments()
+        return f"{type(self).__name__}({', '.join([*map(repr, ordered), *(f'{key}={of!r}' for key, of in named.items())])})"
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):
@@ -46,7 +61,21 @@ class value:
         return bool(self._parameters == other._parameters)  # type: ignore[attr-defined]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return functools.partial(type(self), **self._parameters), ()
+        members = {name: of for name, of in vars(self).items() if not name.startswith("_")}  # of a derived class
+        return _restored, (type(self), *self._arguments()), members
+
+
+def _restored(kind: type[Any], ordered: tuple[Any, ...], named: dict[str, Any]) -> Any:
+    made = object.__new__(kind)
+    kind._base.__init__(made, *ordered, **named)
+    return made
+
+
+def _copied(x: Any) -> Any:
+    """A copy of lists and dicts in each other."""
+    if isinstance(x, dict):
+        return {key: _copied(of) for key, of in x.items()}
+    return [_copied(of) for of in x] if isinstance(x, list) else x
 
 
 def with_suggestions(init: Any) -> Any:
@@ -69,18 +98,12 @@ def with_suggestions(init: Any) -> Any:
 
 
 def warn(text: str) -> None:
-    """A warning at the line of the user."""
+    """A warning at the line of the user, if there is a text."""
     frame, level = sys._getframe(1), 2
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("passive_haptics."):
         frame, level = frame.f_back, level + 1
-    warnings.warn(text, stacklevel=level)
-
-
-def number(x: Any, name: str) -> float:
-    """x as float64; TypeError if it is not a number."""
-    if isinstance(x, bool) or not isinstance(x, (int, float, np.floating, np.integer)):
-        raise TypeError(f"passive_haptics: {name} = {x!r} ({type(x).__name__}): expected a number")
-    return float(x)
+    if text:
+        warnings.warn("passive_haptics: " + text.rstrip("\n"), stacklevel=level)
 
 
 def readable(path: Path) -> bytes:

@@ -19,7 +19,7 @@ template <class T, int Rows, int Columns>
 class active_set {
  public:
   /// The problem of { p : B^T p <= 0 } and f, which must outlive this object.
-  [[gnu::always_inline]] active_set(const matrix<T, Rows, Columns>& B, const vector<T, Rows>& f)
+  PASSIVE_HAPTICS_INLINE active_set(const matrix<T, Rows, Columns>& B, const vector<T, Rows>& f)
       : b_(B.data()), f_(f.data()), qr_(column::load(f_)) {}
 
   /// Returns the nearest point to f and updates `start` for a neighbouring problem.
@@ -45,9 +45,9 @@ class active_set {
   using coefficients = typename qr::coefficients;
   using by_half_space = lanes<T, Columns>;
 
-  [[gnu::always_inline]] column half_space(int j) const { return column::load(b_ + j * Rows); }
+  PASSIVE_HAPTICS_INLINE column half_space(int j) const { return column::load(b_ + j * Rows); }
 
-  [[gnu::always_inline]] void prepare() {
+  PASSIVE_HAPTICS_INLINE void prepare() {
     const T ff = dot(qr_.residual(), qr_.residual());
     vanishing_ = rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * ff;
     const auto square = horizontal_add<T, Columns>([&](int j) {
@@ -59,28 +59,28 @@ class active_set {
     select(square > std::numeric_limits<T>::min(), T(1) / square, T(0)).store(weight_);
   }
 
-  [[gnu::always_inline]] by_half_space products_with(const column& x) const {
+  PASSIVE_HAPTICS_INLINE by_half_space products_with(const column& x) const {
     return horizontal_add<T, Columns>([&](int j) { return passive_haptics::products(half_space(j), x); });
   }
 
   // Squared distances of x beyond the half-spaces that may enter, from B^T x.
-  [[gnu::always_inline]] by_half_space squares_beyond(const by_half_space& products) const {
+  PASSIVE_HAPTICS_INLINE by_half_space squares_beyond(const by_half_space& products) const {
     const by_half_space x = max(by_half_space(T(0)), products);
     return by_half_space::load(weight_) * x * x;
   }
 
   // Squared violations by the residual r, and their rounding threshold (infinite if r is only rounding).
-  [[gnu::always_inline]] by_half_space squares_beyond() const {
+  PASSIVE_HAPTICS_INLINE by_half_space squares_beyond() const {
     return squares_beyond(products_with(qr_.residual()));
   }
-  [[gnu::always_inline]] T square_of(int roundings) const {
+  PASSIVE_HAPTICS_INLINE T square_of(int roundings) const {
     const T rr = dot(qr_.residual(), qr_.residual());
     const T tolerance = T(roundings) * std::numeric_limits<T>::epsilon();
     return rr > vanishing_ ? tolerance * tolerance * rr : std::numeric_limits<T>::infinity();
   }
 
   // True if mu > 0 and the residual violates no other half-space. Computes mu.
-  [[gnu::always_inline]] bool is_nearest() {
+  PASSIVE_HAPTICS_INLINE bool is_nearest() {
     qr_.solve(mu_);
     if (!all_positive(mu_)) return false;
     if (qr_.size() == max_rank) return true;
@@ -94,13 +94,13 @@ class active_set {
     return worst.value > square_of(roundings) ? worst.index : -1;
   }
 
-  [[gnu::always_inline]] void append_all(half_space_set set) {
+  PASSIVE_HAPTICS_INLINE void append_all(half_space_set set) {
     for (; set != 0 && qr_.size() < max_rank; set &= set - 1) append(std::countr_zero(set));
   }
 
   // Appends violated half-spaces regardless of the signs of mu. Updates the products with the residual
   // instead of waiting for it; their error is rounding of |f|, not of |r|.
-  [[gnu::always_inline]] void guess(by_half_space products) {
+  PASSIVE_HAPTICS_INLINE void guess(by_half_space products) {
     T along[std::size_t(max_rank)][std::size_t(Columns)];  // of v_k and b_j
     while (qr_.size() < max_rank) {
       const auto [value, j] = find_max(squares_beyond(products));
@@ -115,7 +115,7 @@ class active_set {
 
   // Appends half-space j. Returns false if it depends on the members.
   template <class... Along>
-  [[gnu::always_inline]] bool append(int j, Along&&... along_b) {
+  PASSIVE_HAPTICS_INLINE bool append(int j, Along&&... along_b) {
     const int k = qr_.size();
     weight_[j] = T(0);
     if (!qr_.append(half_space(j), square_[j], along_b...)) return false;
@@ -124,7 +124,7 @@ class active_set {
     return true;
   }
 
-  [[gnu::always_inline]] bool all_positive(const coefficients& y) const {
+  PASSIVE_HAPTICS_INLINE bool all_positive(const coefficients& y) const {
     bool all_are = true;
     for (int k = 0; k < qr_.size(); ++k) all_are &= nth(y, k) > T(0);
     return all_are;

@@ -22,7 +22,7 @@ class column_subset {
   static constexpr std::size_t rows = std::size_t(D);  ///< Rows of V.
 
   /// V by rows and f. in_set: 1 for the columns in S, else 0.
-  [[gnu::always_inline]] column_subset(const per_column (&V)[rows], const vector<T, D>& f,
+  PASSIVE_HAPTICS_INLINE column_subset(const per_column (&V)[rows], const vector<T, D>& f,
                                        const per_column& in_set) {
     unrolled<D>([&](auto k) {
       r_[k] = V[k];
@@ -38,7 +38,7 @@ class column_subset {
   bool reaches(T tolerance) const { return unreached_ <= tolerance; }
 
   /// Returns u and the magnitude of its terms, for rounding bounds.
-  [[gnu::always_inline]] std::pair<per_column, per_column> solution() const {
+  PASSIVE_HAPTICS_INLINE std::pair<per_column, per_column> solution() const {
     per_column u{}, size{};
     unrolled<D>([&](auto k) {
       const T c = z_[k] * inverse_[k], magnitude = std::abs(c);
@@ -49,7 +49,7 @@ class column_subset {
   }
 
   /// Returns the least-norm solution of V_S x = g for another g. Undefined outside S.
-  [[gnu::always_inline]] per_column solution_of(const vector<T, D>& g) const {
+  PASSIVE_HAPTICS_INLINE per_column solution_of(const vector<T, D>& g) const {
     per_column u{};
     T z[rows];
     unrolled<D>([&](auto k) {
@@ -65,13 +65,13 @@ class column_subset {
   static constexpr T cancelled = T(0.01), much_shorter = T(0.01);
   static constexpr T dependent = rounding_tolerance<T>(D) * rounding_tolerance<T>(D);
 
-  [[gnu::always_inline]] static T product(const per_column& weight, const per_column& a,
+  PASSIVE_HAPTICS_INLINE static T product(const per_column& weight, const per_column& a,
                                           const per_column& b) {
     return dot(weight * a, b);
   }
 
   // Subtracts from row l its projection on row k
-  [[gnu::always_inline]] void project(int l, int k, const per_column& in_set) {
+  PASSIVE_HAPTICS_INLINE void project(int l, int k, const per_column& in_set) {
     const T h = product(in_set, r_[k], r_[l]) * inverse_[k];
     r_[l] -= h * r_[k];
     z_[l] -= h * z_[k];
@@ -79,7 +79,7 @@ class column_subset {
   }
 
   // Makes row k the next row of Q and removes its component from those below
-  [[gnu::always_inline]] void take(int k, const per_column& in_set) {
+  PASSIVE_HAPTICS_INLINE void take(int k, const per_column& in_set) {
     int longest = k;
     for (int l = k + 1; l < D; ++l) longest = rest_[l] > rest_[longest] ? l : longest;
     if (rest_[k] < much_shorter * rest_[longest]) swap_rows(k, longest);

@@ -32,7 +32,7 @@ struct generated_face {
 /// Planar case: f lies between its neighbours, the generators at the smallest angles to its left and right,
 /// or it is outside and nearest to the neighbour less than 90 degrees away. No lengths are compared.
 template <class T, int M>
-[[gnu::always_inline]] inline generated_face<T, 2, M> face_of(const matrix<T, 2, M>& V,
+PASSIVE_HAPTICS_INLINE inline generated_face<T, 2, M> face_of(const matrix<T, 2, M>& V,
                                                               const vector<T, 2>& f) {
   using per_column = lanes<T, M>;
   using columns = lane_mask<T, M>;
@@ -85,7 +85,7 @@ vector<T, M> coefficients_between(const matrix<T, 2, M>& V, half_space_set neigh
 /// Three or more dimensions: f minus its nearest point is the projection r of f on the polar cone { r : V^T r
 /// <= 0 }, by non-negative least squares. The face is normal to r.
 template <class T, int D, int M>
-[[gnu::always_inline]] inline generated_face<T, D, M> face_of(const matrix<T, D, M>& V,
+PASSIVE_HAPTICS_INLINE inline generated_face<T, D, M> face_of(const matrix<T, D, M>& V,
                                                               const vector<T, D>& f) {
   using per_column = lanes<T, M>;
   using columns = lane_mask<T, M>;

@@ -41,11 +41,11 @@ struct truths_of<T> {
 
 // Bits of x if m is set, else of y.
 template <class Packet, class Bits>
-[[gnu::always_inline]] inline Packet merged(const Bits& m, const Packet& x, const Packet& y) {
+PASSIVE_HAPTICS_INLINE inline Packet merged(const Bits& m, const Packet& x, const Packet& y) {
   return bit_cast<Packet>((bit_cast<Bits>(x) & m) | (bit_cast<Bits>(y) & ~m));
 }
 template <class Packet>
-[[gnu::always_inline]] inline Packet with_sign_of(const Packet& x, const Packet& y) {
+PASSIVE_HAPTICS_INLINE inline Packet with_sign_of(const Packet& x, const Packet& y) {
   return merged(bit_cast<truths_of<double>::type>(-Packet{}), x, y);
 }
 
@@ -59,7 +59,7 @@ struct lane_mask {
   typename detail::truths_of<T>::type p[std::size_t(count)];  ///< All bits of a true lane are set.
 
   /// Lane i is bit i of `set`.
-  [[gnu::always_inline]] static lane_mask of(unsigned set) {
+  PASSIVE_HAPTICS_INLINE static lane_mask of(unsigned set) {
     lane_mask x;
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
       if constexpr (width == 1) {
@@ -78,13 +78,13 @@ struct lane_mask {
   }
 
   /// True if lane i is set.
-  [[gnu::always_inline]] bool operator[](int i) const {
+  PASSIVE_HAPTICS_INLINE bool operator[](int i) const {
     if constexpr (width == 1) return p[i];
     else return p[i / width][i % width * (4 / width)] < 0;  // the sign: shorter than all bits
   }
 
   /// Equality of all lanes, including the unused ones.
-  [[gnu::always_inline]] friend bool operator==(const lane_mask& a, const lane_mask& b) {
+  PASSIVE_HAPTICS_INLINE friend bool operator==(const lane_mask& a, const lane_mask& b) {
     if constexpr (width == 1) {
       bool all = true;
       unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { all &= a.p[k] == b.p[k]; });
@@ -98,12 +98,12 @@ struct lane_mask {
     }
   }
   /// Logical and.
-  [[gnu::always_inline]] friend lane_mask operator&(lane_mask a, const lane_mask& b) {
+  PASSIVE_HAPTICS_INLINE friend lane_mask operator&(lane_mask a, const lane_mask& b) {
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { a.p[k] = a.p[k] & b.p[k]; });
     return a;
   }
   /// Logical or.
-  [[gnu::always_inline]] friend lane_mask operator|(lane_mask a, const lane_mask& b) {
+  PASSIVE_HAPTICS_INLINE friend lane_mask operator|(lane_mask a, const lane_mask& b) {
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { a.p[k] = a.p[k] | b.p[k]; });
     return a;
   }
@@ -111,7 +111,7 @@ struct lane_mask {
 
 /// Returns (x_1, x_0). x: two lanes or a mask of two.
 template <class X>
-[[gnu::always_inline]] inline X swapped(X x) {
+PASSIVE_HAPTICS_INLINE inline X swapped(X x) {
   if constexpr (X::width == 1) std::swap(x.p[0], x.p[1]);
   else if constexpr (X::width * sizeof(x.p[0][0]) == 8)
     x.p[0] = __builtin_shufflevector(x.p[0], x.p[0], 2, 3, 0, 1);
@@ -122,7 +122,7 @@ template <class X>
 
 /// Keeps the second lane only if the first is not set.
 template <class T>
-[[gnu::always_inline]] inline lane_mask<T, 2> first_only(lane_mask<T, 2> x) {
+PASSIVE_HAPTICS_INLINE inline lane_mask<T, 2> first_only(lane_mask<T, 2> x) {
   using truths = typename detail::truths_of<T>::type;
   if constexpr (x.width == 1) x.p[1] = x.p[1] & !x.p[0];
   else if constexpr (x.width == 2) x.p[0] &= ~(swapped(x).p[0] & truths{0, 0, -1, -1});

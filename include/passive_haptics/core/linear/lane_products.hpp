@@ -15,7 +15,7 @@ T sum(const lanes<T, N>& x) {
 
 /// x_0 y_0 + ... + x_{N-1} y_{N-1}, as a packet with this sum.
 template <class T, int N>
-[[gnu::always_inline]] inline auto products(const lanes<T, N>& x, const lanes<T, N>& y) {
+PASSIVE_HAPTICS_INLINE inline auto products(const lanes<T, N>& x, const lanes<T, N>& y) {
   if constexpr (lanes<T, N>::count == 1) {
     return x.p[0] * y.p[0];
   } else {  // two independent sums
@@ -28,7 +28,7 @@ template <class T, int N>
 
 /// Dot product.
 template <class T, int N>
-[[gnu::always_inline]] inline T dot(const lanes<T, N>& x, const lanes<T, N>& y) {
+PASSIVE_HAPTICS_INLINE inline T dot(const lanes<T, N>& x, const lanes<T, N>& y) {
   const auto s = products(x, y);
   if constexpr (lanes<T, N>::width == 1) return s;
   else if constexpr (lanes<T, N>::width == 2) return s[0] + s[1];
@@ -37,7 +37,7 @@ template <class T, int N>
 
 /// Lane j is the sum over the packet f(j). Adds crosswise, with half the instructions of N sums.
 template <class T, int N, class F>
-[[gnu::always_inline]] inline lanes<T, N> horizontal_add(F&& f) {
+PASSIVE_HAPTICS_INLINE inline lanes<T, N> horizontal_add(F&& f) {
   using packet = typename lanes<T, N>::packet;
   constexpr int width = lanes<T, N>::width;
   lanes<T, N> a;
@@ -78,7 +78,7 @@ bool any(const lane_mask<T, N>& x) {
 
 /// Sets all lanes if any lane is set.
 template <class T, int N>
-[[gnu::always_inline]] inline lane_mask<T, N> any_of(const lane_mask<T, N>& x) {
+PASSIVE_HAPTICS_INLINE inline lane_mask<T, N> any_of(const lane_mask<T, N>& x) {
   lane_mask<T, N> all;
   if constexpr (N == 2) {
     all = x | swapped(x);
@@ -93,7 +93,7 @@ template <class T, int N>
 
 /// Bit i is lane i.
 template <class T, int N>
-[[gnu::always_inline]] inline unsigned bits(const lane_mask<T, N>& x) {
+PASSIVE_HAPTICS_INLINE inline unsigned bits(const lane_mask<T, N>& x) {
   using mask = lane_mask<T, N>;
   if constexpr (mask::width == 1) {
     unsigned all = 0;
@@ -125,7 +125,7 @@ struct integers_of {
 
 // Indices first, first + 1, ... of the numbers of a packet.
 template <class T>
-[[gnu::always_inline]] inline auto places(int first) {
+PASSIVE_HAPTICS_INLINE inline auto places(int first) {
   return [&]<int... K>(std::integer_sequence<int, K...>) {
     return typename integers_of<T>::type{integer_of<T>(first + K)...};
   }(std::make_integer_sequence<int, lanes<T, 1>::width>());
@@ -133,7 +133,7 @@ template <class T>
 
 /// Maximum of all lanes, for x >= 0; NaN counts as 0.
 template <class T, int N>
-[[gnu::always_inline]] inline T max_value(const lanes<T, N>& x) {
+PASSIVE_HAPTICS_INLINE inline T max_value(const lanes<T, N>& x) {
   typename lanes<T, N>::packet largest{};
   unrolled<lanes<T, N>::count>([&](auto i)
                                    PASSIVE_HAPTICS_INLINE { largest = x.p[i] > largest ? x.p[i] : largest; });
@@ -155,7 +155,7 @@ struct max_entry {
 
 // The index temporarily replaces the last five bits.
 template <class T, int N>
-[[gnu::always_inline]] inline max_entry<T> max_of_marked(const lanes<T, N>& x) {
+PASSIVE_HAPTICS_INLINE inline max_entry<T> max_of_marked(const lanes<T, N>& x) {
   using packet = typename lanes<T, N>::packet;
   using integers = typename integers_of<T>::type;
   constexpr int width = lanes<T, N>::width;
@@ -171,7 +171,7 @@ template <class T, int N>
 
 /// Maximum of x >= 0 to 64 roundings, without a branch, which would be unpredictable.
 template <class T, int N>
-[[gnu::always_inline]] inline max_entry<T> find_max(const lanes<T, N>& x) {
+PASSIVE_HAPTICS_INLINE inline max_entry<T> find_max(const lanes<T, N>& x) {
   if constexpr (lanes<T, N>::width == 1) {
     max_entry<T> largest{T(0), 0};
     for (int i = 0; i < N; ++i) {

@@ -15,7 +15,7 @@ namespace passive_haptics {
 
 /// Returns x, loaded separately: clang++ would load the next number, too, and stall if it was just stored.
 template <class T>
-[[gnu::always_inline]] inline T apart(T x) {
+PASSIVE_HAPTICS_INLINE inline T apart(T x) {
 #if defined(__clang__) && (defined(__SSE2__) || defined(__aarch64__))
   if constexpr (detail::packet_width<T> > 1) {
 #if defined(__aarch64__)
@@ -43,7 +43,7 @@ struct lanes {
 
   lanes() = default;
   /// Sets all lanes, including the unused ones, to x.
-  [[gnu::always_inline]] lanes(T x) {
+  PASSIVE_HAPTICS_INLINE lanes(T x) {
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
       if constexpr (width == 1) p[k] = x;
       else if constexpr (width == 2) p[k] = packet{x, x};
@@ -53,7 +53,7 @@ struct lanes {
   /// f(0), ..., f(N - 1), padded with zeros.
   template <class F>
     requires std::is_invocable_r_v<T, F, int>
-  [[gnu::always_inline]] explicit lanes(const F& f) {
+  PASSIVE_HAPTICS_INLINE explicit lanes(const F& f) {
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
       const auto number = [&](int i)
                               PASSIVE_HAPTICS_INLINE { return k * width + i < N ? f(k * width + i) : T(0); };
@@ -68,7 +68,7 @@ struct lanes {
       : lanes([&](int i) PASSIVE_HAPTICS_INLINE { return N < width ? apart(x[i]) : x[i]; }) {}
 
   /// Loads x[0], ..., x[N - 1] from any address. Slow if they were stored separately just before.
-  [[gnu::always_inline]] static lanes load(const T* x) {
+  PASSIVE_HAPTICS_INLINE static lanes load(const T* x) {
     lanes a;
     unrolled<N / width>([&](auto k)
                             PASSIVE_HAPTICS_INLINE { std::memcpy(&a.p[k], x + k * width, sizeof(packet)); });
@@ -80,14 +80,14 @@ struct lanes {
     return a;
   }
   /// Stores x[0], ..., x[N - 1] at any address.
-  [[gnu::always_inline]] void store(T* x) const {
+  PASSIVE_HAPTICS_INLINE void store(T* x) const {
     unrolled<N / width>([&](auto k)
                             PASSIVE_HAPTICS_INLINE { std::memcpy(x + k * width, &p[k], sizeof(packet)); });
     if constexpr (rest != 0)
       unrolled<rest>([&](auto i) PASSIVE_HAPTICS_INLINE { x[N - rest + i] = p[count - 1][i]; });
   }
   /// Converts to a vector.
-  [[gnu::always_inline]] operator vector<T, N>() const {
+  PASSIVE_HAPTICS_INLINE operator vector<T, N>() const {
     vector<T, N> x;  // not by store(): g++ would keep x in memory
     unrolled<N / width>(
         [&](auto k) PASSIVE_HAPTICS_INLINE { std::memcpy(x.data() + k * width, &p[k], sizeof(packet)); });
@@ -96,7 +96,7 @@ struct lanes {
     return x;
   }
   /// Lane i.
-  [[gnu::always_inline]] T operator[](int i) const {
+  PASSIVE_HAPTICS_INLINE T operator[](int i) const {
     if constexpr (width == 1) return p[i];
     else return p[i / width][i % width];
   }
@@ -104,13 +104,13 @@ struct lanes {
   /// @cond
   // Applies f to each packet
   template <class F>
-  [[gnu::always_inline]] static lanes each(F&& f) {
+  PASSIVE_HAPTICS_INLINE static lanes each(F&& f) {
     lanes x;
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { x.p[k] = f(k); });
     return x;
   }
   template <class F>
-  [[gnu::always_inline]] static mask test(F&& f) {
+  PASSIVE_HAPTICS_INLINE static mask test(F&& f) {
     mask x;
     unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
       x.p[k] = detail::bit_cast<typename detail::truths_of<T>::type>(f(k));
@@ -118,31 +118,31 @@ struct lanes {
     return x;
   }
 
-  [[gnu::always_inline]] friend lanes operator-(const lanes& a) {
+  PASSIVE_HAPTICS_INLINE friend lanes operator-(const lanes& a) {
     return each([&](auto k) PASSIVE_HAPTICS_INLINE { return -a.p[k]; });
   }
-  [[gnu::always_inline]] friend lanes operator+(const lanes& a, const lanes& b) {
+  PASSIVE_HAPTICS_INLINE friend lanes operator+(const lanes& a, const lanes& b) {
     return each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] + b.p[k]; });
   }
-  [[gnu::always_inline]] friend lanes operator-(const lanes& a, const lanes& b) {
+  PASSIVE_HAPTICS_INLINE friend lanes operator-(const lanes& a, const lanes& b) {
     return each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] - b.p[k]; });
   }
-  [[gnu::always_inline]] friend lanes operator*(const lanes& a, const lanes& b) {
+  PASSIVE_HAPTICS_INLINE friend lanes operator*(const lanes& a, const lanes& b) {
     return each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] * b.p[k]; });
   }
-  [[gnu::always_inline]] friend lanes operator/(const lanes& a, const lanes& b) {
+  PASSIVE_HAPTICS_INLINE friend lanes operator/(const lanes& a, const lanes& b) {
     return each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] / b.p[k]; });
   }
-  [[gnu::always_inline]] lanes& operator+=(const lanes& x) { return *this = *this + x; }
-  [[gnu::always_inline]] lanes& operator-=(const lanes& x) { return *this = *this - x; }
-  [[gnu::always_inline]] friend mask operator<(const lanes& a, const lanes& b) {
+  PASSIVE_HAPTICS_INLINE lanes& operator+=(const lanes& x) { return *this = *this + x; }
+  PASSIVE_HAPTICS_INLINE lanes& operator-=(const lanes& x) { return *this = *this - x; }
+  PASSIVE_HAPTICS_INLINE friend mask operator<(const lanes& a, const lanes& b) {
     return test([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] < b.p[k]; });
   }
-  [[gnu::always_inline]] friend mask operator<=(const lanes& a, const lanes& b) {
+  PASSIVE_HAPTICS_INLINE friend mask operator<=(const lanes& a, const lanes& b) {
     return test([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] <= b.p[k]; });
   }
-  [[gnu::always_inline]] friend mask operator>(const lanes& a, const lanes& b) { return b < a; }
-  [[gnu::always_inline]] friend mask operator>=(const lanes& a, const lanes& b) { return b <= a; }
+  PASSIVE_HAPTICS_INLINE friend mask operator>(const lanes& a, const lanes& b) { return b < a; }
+  PASSIVE_HAPTICS_INLINE friend mask operator>=(const lanes& a, const lanes& b) { return b <= a; }
   /// @endcond
 };
 /// Lanes of a vector.
@@ -151,7 +151,7 @@ lanes(const vector<T, N>&) -> lanes<T, N>;
 
 /// Returns a in the lanes that are set, else b.
 template <class T, int N>
-[[gnu::always_inline]] inline lanes<T, N> select(const lane_mask<T, N>& where,
+PASSIVE_HAPTICS_INLINE inline lanes<T, N> select(const lane_mask<T, N>& where,
                                                  const std::type_identity_t<lanes<T, N>>& a,
                                                  const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
@@ -163,7 +163,7 @@ template <class T, int N>
 
 /// Magnitude of y with the sign of x.
 template <class T, int N>
-[[gnu::always_inline]] inline lanes<T, N> copysign(const std::type_identity_t<lanes<T, N>>& y,
+PASSIVE_HAPTICS_INLINE inline lanes<T, N> copysign(const std::type_identity_t<lanes<T, N>>& y,
                                                    const lanes<T, N>& x) {
   return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
     if constexpr (lanes<T, N>::width == 1) return std::copysign(y.p[k], x.p[k]);
@@ -173,7 +173,7 @@ template <class T, int N>
 
 /// Absolute value.
 template <class T, int N>
-[[gnu::always_inline]] inline lanes<T, N> abs(const lanes<T, N>& x) {
+PASSIVE_HAPTICS_INLINE inline lanes<T, N> abs(const lanes<T, N>& x) {
   return copysign(x, lanes<T, N>(T(0)));
 }
 
@@ -192,21 +192,21 @@ lanes<T, N> sgn(const lanes<T, N>& x) {
 
 /// Element-wise minimum; a if either is NaN.
 template <class T, int N>
-[[gnu::always_inline]] inline lanes<T, N> min(const lanes<T, N>& a,
+PASSIVE_HAPTICS_INLINE inline lanes<T, N> min(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE { return b.p[k] < a.p[k] ? b.p[k] : a.p[k]; });
 }
 
 /// Element-wise maximum; a if either is NaN.
 template <class T, int N>
-[[gnu::always_inline]] inline lanes<T, N> max(const lanes<T, N>& a,
+PASSIVE_HAPTICS_INLINE inline lanes<T, N> max(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] < b.p[k] ? b.p[k] : a.p[k]; });
 }
 
 /// Clamps x to [lowest, highest] without a branch.
 template <class T>
-[[gnu::always_inline]] inline T clamped(T x, T lowest, T highest) {
+PASSIVE_HAPTICS_INLINE inline T clamped(T x, T lowest, T highest) {
   return max(min(lanes<T, 1>(x), highest), lowest)[0];
 }
 

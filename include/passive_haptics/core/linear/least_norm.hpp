@@ -24,14 +24,14 @@ template <class T, int D, int M>
 class least_norm {
  public:
   /// V (D x M) and f, which must outlive this object.
-  [[gnu::always_inline]] least_norm(const matrix<T, D, M>& V, const vector<T, D>& f) : v_(V), f_(f) {
+  PASSIVE_HAPTICS_INLINE least_norm(const matrix<T, D, M>& V, const vector<T, D>& f) : v_(V), f_(f) {
     unrolled<D>([&](auto k) PASSIVE_HAPTICS_INLINE { rows_[k] = row(V, k); });
   }
 
   /// Finds x of the columns in `usable`. basis: columns with V x = f for an x >= 0, of any number, possibly
   /// parallel. Returns false, with an invalid x, if rounding puts f outside their range. Cost: usually normal
   /// equations of 1 or 2 pieces; 2 to 4 column_subsets for condition numbers above about 1000.
-  [[gnu::always_inline]] bool solve(const lane_mask<T, M>& basis, const lane_mask<T, M>& usable,
+  PASSIVE_HAPTICS_INLINE bool solve(const lane_mask<T, M>& basis, const lane_mask<T, M>& usable,
                                     vector<T, M>& x) {
     const bool in_a_face = !(usable == columns::of(all_columns<M>));
     return (!in_a_face && solve_by_newton(basis, x)) || solve_by_active_set(bits(basis), bits(usable), x);
@@ -43,21 +43,21 @@ class least_norm {
   using columns = lane_mask<T, M>;
 
   // V^T l
-  [[gnu::always_inline]] per_column products_with(const vector<T, D>& l) const {
+  PASSIVE_HAPTICS_INLINE per_column products_with(const vector<T, D>& l) const {
     per_column y = l[0] * rows_[0];
     unrolled<D - 1>([&](auto k) { y += l[k + 1] * rows_[k + 1]; });
     return y;
   }
 
   // f - V x
-  [[gnu::always_inline]] vector<T, D> rest_of_f(const per_column& x) const {
+  PASSIVE_HAPTICS_INLINE vector<T, D> rest_of_f(const per_column& x) const {
     vector<T, D> left;
     unrolled<D>([&](auto k) { left[k] = f_[k] - dot(rows_[k], x); });
     return left;
   }
 
   // False if the normal equations are ill-conditioned
-  [[gnu::always_inline]] bool solve_by_newton(columns in_set, vector<T, M>& x) const {
+  PASSIVE_HAPTICS_INLINE bool solve_by_newton(columns in_set, vector<T, M>& x) const {
     const per_column none(T(0));
     for (int piece = 0; piece < 6; ++piece) {
       const normal_equations<T, D, M> A(rows_, in_set);
@@ -107,21 +107,21 @@ class least_norm {
     return true;
   }
 
-  [[gnu::always_inline]] static per_column weights(half_space_set set) {
+  PASSIVE_HAPTICS_INLINE static per_column weights(half_space_set set) {
     vector<T, M> w;
     unrolled<M>([&](auto i) { w[i] = static_cast<T>(set >> i & 1u); });
     return per_column::load(w.data());
   }
 
-  [[gnu::always_inline]] static T count(const per_column& set) { return dot(set, per_column(T(1))); }
+  PASSIVE_HAPTICS_INLINE static T count(const per_column& set) { return dot(set, per_column(T(1))); }
 
   // x = u on the set, with negative rounding errors set to 0
-  [[gnu::always_inline]] static void take(const per_column& u, const per_column& in_set, vector<T, M>& x) {
+  PASSIVE_HAPTICS_INLINE static void take(const per_column& u, const per_column& in_set, vector<T, M>& x) {
     select(u > T(0), in_set * u, T(0)).store(x.data());
   }
 
   // Adds the solution for the remainder of f, so that V x = f to rounding of its terms
-  [[gnu::always_inline]] void refine(const subset_type& subset, const per_column& in_set,
+  PASSIVE_HAPTICS_INLINE void refine(const subset_type& subset, const per_column& in_set,
                                      vector<T, M>& x) const {
     const per_column made = per_column::load(x.data());
     take(subset.solution_of(rest_of_f(made)) + made, in_set, x);

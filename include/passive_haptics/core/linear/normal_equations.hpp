@@ -15,7 +15,7 @@ class normal_equations {
 
  public:
   /// V by rows.
-  [[gnu::always_inline]] normal_equations(const lanes<T, M> (&V)[std::size_t(D)], const lane_mask<T, M>& S) {
+  PASSIVE_HAPTICS_INLINE normal_equations(const lanes<T, M> (&V)[std::size_t(D)], const lane_mask<T, M>& S) {
     matrix<T, D, D> A;
     unrolled<D>([&](auto i) {
       const lanes<T, M> in_set = select(S, V[i], T(0));
@@ -43,7 +43,7 @@ class normal_equations {
   }
 
   /// Returns l with A l = f.
-  [[gnu::always_inline]] vector<T, D> solve(const vector<T, D>& f) const {
+  PASSIVE_HAPTICS_INLINE vector<T, D> solve(const vector<T, D>& f) const {
     vector<T, D> l;
     unrolled<D>([&](auto i) {
       T sum = cofactors_(i, 0) * f[0];

@@ -144,11 +144,11 @@ class space_cone_start {
  public:
   using projection = half_space_projection<T, 3, 3>;
 
-  [[gnu::always_inline]] space_cone_start(const matrix<T, 3, 3>& B, const vector<T, 3>& f) : B_(B), f_(f) {}
+  PASSIVE_HAPTICS_INLINE space_cone_start(const matrix<T, 3, 3>& B, const vector<T, 3>& f) : B_(B), f_(f) {}
 
   /// Finds the nearest point to f if exactly the one or two half-spaces of `active` are active. Otherwise
   /// returns false without changing `answer`.
-  [[gnu::always_inline]] bool nearest(half_space_set active, projection& answer) const {
+  PASSIVE_HAPTICS_INLINE bool nearest(half_space_set active, projection& answer) const {
     switch (active) {
       case 1: return is_on_face(0, 1, 2, answer);
       case 2: return is_on_face(1, 2, 0, answer);

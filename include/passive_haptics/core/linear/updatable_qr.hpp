@@ -25,27 +25,27 @@ class updatable_qr {
   using coefficients = std::array<T, static_cast<std::size_t>(MaxColumns)>;  ///< One number per column.
 
   /// Starts without columns: r = f.
-  [[gnu::always_inline]] explicit updatable_qr(const column& f) : r_(f) {}
+  PASSIVE_HAPTICS_INLINE explicit updatable_qr(const column& f) : r_(f) {}
 
   int size() const { return size_; }                            ///< Number of columns.
   const column& residual() const { return r_; }                 ///< The residual r.
   const column& orthogonal(int k) const { return nth(v_, k); }  ///< Column k of V.
   T along(int k) const { return nth(c_, k); }                   ///< Returns v_k . f / |v_k|^2.
   /// Returns v_k . b / |v_k|^2.
-  [[gnu::always_inline]] T along(int k, const column& b) const {
+  PASSIVE_HAPTICS_INLINE T along(int k, const column& b) const {
     return dot(nth(v_, k), b) * nth(inverse_square_, k);
   }
   T inverse_square(int k) const { return nth(inverse_square_, k); }  ///< Returns 1 / |v_k|^2.
 
   /// Appends a column b with the square |b|^2. Returns false without appending if b depends on the others to
   /// rounding (r is then orthogonal to b) or the square underflows.
-  [[gnu::always_inline]] bool append(const column& b, T square) {
+  PASSIVE_HAPTICS_INLINE bool append(const column& b, T square) {
     return append(b, square, [&](int k) PASSIVE_HAPTICS_INLINE { return along(k, b); });
   }
 
   /// As above, with precomputed along_b(k) = v_k . b / |v_k|^2.
   template <class F>
-  [[gnu::always_inline]] bool append(const column& b, T square, F&& along_b) {
+  PASSIVE_HAPTICS_INLINE bool append(const column& b, T square, F&& along_b) {
     column v = b;
     coefficients& h = nth(upper_, size_);
     T rest = square;
@@ -76,7 +76,7 @@ class updatable_qr {
   }
 
   /// Computes the least-squares coefficients y: R y = (V^T V)^-1 V^T f, by back substitution.
-  [[gnu::always_inline]] void solve(coefficients& y) const {
+  PASSIVE_HAPTICS_INLINE void solve(coefficients& y) const {
     for (int k = size_ - 1; k >= 0; --k) {
       T rest = nth(c_, k);
       for (int l = k + 1; l < size_; ++l) rest -= nth(nth(upper_, l), k) * nth(y, l);
@@ -85,7 +85,7 @@ class updatable_qr {
   }
 
   /// Returns r after another projection, orthogonal to V to rounding of |r|; exactly 0 if V spans the space.
-  [[gnu::always_inline]] column clean_residual() const {
+  PASSIVE_HAPTICS_INLINE column clean_residual() const {
     if (size_ == Rows) return column{};
     column r = r_;
     coefficients h{};
@@ -100,7 +100,7 @@ class updatable_qr {
 
   // Calls f(k) for each column, unrolled because a loop counter would take a third of the time
   template <class F>
-  [[gnu::always_inline]] void each(F&& f) const {
+  PASSIVE_HAPTICS_INLINE void each(F&& f) const {
     [&]<int... K>(std::integer_sequence<int, K...>) PASSIVE_HAPTICS_INLINE {
       (void)((K < size_ && (f(K), true)) && ...);
     }(std::make_integer_sequence<int, MaxColumns>());

@@ -34,7 +34,7 @@ inline constexpr sine_cosine_numbers all_numbers;
 /// sin and cos for |x| <= 1e5, without a branch: x = r + k pi/2 with |r| <= pi/4, then fdlibm's polynomials
 /// (k_sin.c, k_cos.c, Sun Microsystems 1993) and the quadrant k mod 4. For one double and its bits, or two.
 template <class Doubles, class Words>
-[[gnu::always_inline]] inline sine_cosine_pair<Doubles> reduced_sine_cosine(Doubles x) {
+PASSIVE_HAPTICS_INLINE inline sine_cosine_pair<Doubles> reduced_sine_cosine(Doubles x) {
   const sine_cosine_numbers* n = &all_numbers;
   asm("" : "+r"(n));  // prevents g++ from rebuilding each pair, which takes a third more instructions
   const auto of = [](const two_doubles& number) {

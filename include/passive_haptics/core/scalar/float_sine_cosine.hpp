@@ -28,7 +28,7 @@ inline constexpr float few_turns = 199;
 
 /// For |x| <= few_turns, without a branch.
 template <class Floats, class Words>
-[[gnu::always_inline]] inline reduced_angle<Floats, Words> reduced(Floats x) {
+PASSIVE_HAPTICS_INLINE inline reduced_angle<Floats, Words> reduced(Floats x) {
   constexpr float two_over_pi = 0.636619772f;
   constexpr float to_integer = 12582912;  // 1.5 * 2^23: adding it rounds to an integer in the low bits
   // pi/2 in three parts, the first two with 17 bits, so that k times each is exact (Cody, Waite)
@@ -70,7 +70,7 @@ template <class Floats, class Words>
 
 /// sin and cos of a reduced angle: Cephes' polynomials (sinf.c, Moshier 1992), linear in the tail.
 template <class Floats, class Words>
-[[gnu::always_inline]] inline sine_cosine_pair<Floats> sine_cosine_of(const reduced_angle<Floats, Words>& x) {
+PASSIVE_HAPTICS_INLINE inline sine_cosine_pair<Floats> sine_cosine_of(const reduced_angle<Floats, Words>& x) {
   const Floats r = x.rest, z = r * r;
   const Floats s = (-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f;
   const Floats c = (2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f;
@@ -81,11 +81,11 @@ template <class Floats, class Words>
 }
 
 // Within 0.9 units in the last place.
-[[gnu::always_inline]] inline sine_cosine_pair<float> float_sine_cosine(float x) {
+PASSIVE_HAPTICS_INLINE inline sine_cosine_pair<float> float_sine_cosine(float x) {
   using short_word = std::uint32_t;
   return sine_cosine_of(std::abs(x) <= few_turns ? reduced<float, short_word>(x) : reduced_in_integers(x));
 }
-[[gnu::always_inline]] inline std::array<sine_cosine_pair<float>, 2> float_sine_cosine(float x, float y) {
+PASSIVE_HAPTICS_INLINE inline std::array<sine_cosine_pair<float>, 2> float_sine_cosine(float x, float y) {
   if (!(std::abs(x) <= few_turns && std::abs(y) <= few_turns))
     return {float_sine_cosine(x), float_sine_cosine(y)};
   const auto [s, c] = sine_cosine_of(reduced<two_floats, two_short_words>(two_floats{x, y}));

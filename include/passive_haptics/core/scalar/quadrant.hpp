@@ -2,6 +2,7 @@
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
+#include <passive_haptics/core/flatten.hpp>
 
 namespace passive_haptics {
 
@@ -16,7 +17,7 @@ namespace detail {
 
 /// sin and cos of r + quadrant pi/2 from those of r, without a branch. SignBit: highest bit of a word.
 template <int SignBit, class Reals, class Words>
-[[gnu::always_inline]] inline sine_cosine_pair<Reals> in_quadrant(Words quadrant, Reals sine, Reals cosine) {
+PASSIVE_HAPTICS_INLINE inline sine_cosine_pair<Reals> in_quadrant(Words quadrant, Reals sine, Reals cosine) {
   // An odd quadrant swaps them. The signs are bit 1 of quadrant (sine) and quadrant + 1 (cosine)
   const Words sine_bits = bit_cast<Words>(sine), cosine_bits = bit_cast<Words>(cosine);
   const Words swapped = (sine_bits ^ cosine_bits) & -(quadrant & 1);

@@ -16,7 +16,7 @@ namespace passive_haptics {
 /// sin x and cos x of x [rad]. float: within 0.9 units in the last place for every finite x, without double.
 /// double: within 2 units for |x| <= 1e5 rad. Otherwise those of the C library. NaN if not finite.
 template <std::floating_point T>
-[[gnu::always_inline]] inline sine_cosine_pair<T> sine_cosine(T x) {
+PASSIVE_HAPTICS_INLINE inline sine_cosine_pair<T> sine_cosine(T x) {
   if constexpr (std::same_as<T, float>) return detail::float_sine_cosine(x);
   else if constexpr (sizeof(T) == sizeof(double)) {
     if (std::abs(x) <= T(1e5)) {
@@ -29,7 +29,7 @@ template <std::floating_point T>
 
 /// Sines and cosines of two angles [rad], in the time of one.
 template <std::floating_point T>
-[[gnu::always_inline]] inline std::array<sine_cosine_pair<T>, 2> sine_cosine(T x, T y) {
+PASSIVE_HAPTICS_INLINE inline std::array<sine_cosine_pair<T>, 2> sine_cosine(T x, T y) {
   if constexpr (std::same_as<T, float>) return detail::float_sine_cosine(x, y);
   else if constexpr (sizeof(T) == sizeof(double)) {
     if (std::abs(x) <= T(1e5) && std::abs(y) <= T(1e5)) {

@@ -84,7 +84,7 @@ class homing {
   homing(const encoder_calibration<Axes>& encoders, const vector<double, Axes>& reference,
          const steady_parameters& p = {})
       : from_zero_(encoders.counts(reference) - encoders.zero_count()), counts_(p) {
-    require_no_error(all_finite(reference) ? "" : "reference [rad or m]: expected finite numbers");
+    require_no_error(check_value("reference", reference, "rad or m", range::finite));
   }
 
   /// Adds counts at a time [s]. Restarts on motion or gaps, as reported.

@@ -52,7 +52,7 @@ class chain_frames<T, N, 2> {
 
   /// Joints and handle. Calls each(i, A) with the orientation A() of body i.
   template <class Each>
-  [[gnu::always_inline]] chain_pose<T, N, 2> follow(const vector<T, N>& q, Each&& each) const {
+  PASSIVE_HAPTICS_INLINE chain_pose<T, N, 2> follow(const vector<T, N>& q, Each&& each) const {
     chain_pose<T, N, 2> at;
     matrix<T, 2, 2> A = matrix<T, 2, 2>::Identity();
     vector<T, 2> p = vector<T, 2>::Zero();
@@ -110,7 +110,7 @@ class chain_frames<T, N, 3> {
   }
 
   template <class Each>
-  [[gnu::always_inline]] chain_pose<T, N, 3> follow(const vector<T, N>& q, Each&& each) const {
+  PASSIVE_HAPTICS_INLINE chain_pose<T, N, 3> follow(const vector<T, N>& q, Each&& each) const {
     using column = lanes<T, 3>;
     chain_pose<T, N, 3> at;
     column x = column::load(&first_(0, 0)), y = column::load(&first_(0, 1)), z = column::load(&first_(0, 2));
@@ -162,7 +162,7 @@ class chain_frames<T, N, 3> {
     return {{u[0] / length, -u[1] / length}, {length, u[2]}};
   }
 
-  [[gnu::always_inline]] static void turn(lanes<T, 3>& u, lanes<T, 3>& v, const sine_cosine_pair<T>& angle) {
+  PASSIVE_HAPTICS_INLINE static void turn(lanes<T, 3>& u, lanes<T, 3>& v, const sine_cosine_pair<T>& angle) {
     const lanes<T, 3> before = u;
     u = angle.cosine * u + angle.sine * v;
     v = angle.cosine * v - angle.sine * before;

@@ -14,8 +14,9 @@ template <class T>
 std::string check_inertia(const char* name, const matrix<T, 3, 3>& inertia) {
   const T size = inertia.cwiseAbs().maxCoeff();
   const T rounding = rounding_tolerance<T>(3) * size;
-  if (!((inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= rounding))
-    return std::string(name).append(" is not finite and symmetric: expected a finite symmetric matrix");
+  const T skew = (inertia - inertia.transpose()).cwiseAbs().maxCoeff();
+  if (!(skew <= rounding))
+    return error_text(std::string(name).append(": |I - I^T|"), skew, "0, a symmetric matrix");
   if (size == T(0)) return "";  // a point mass
   // int r r^T dm, which no mass makes indefinite
   const matrix<T, 3, 3> second_moment =

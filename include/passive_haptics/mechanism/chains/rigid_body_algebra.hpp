@@ -22,14 +22,14 @@ using inertia_matrix = matrix<T, angular_size<D>, angular_size<D>>;
 namespace detail {
 
 template <class T>
-[[gnu::always_inline]] inline matrix<T, 3, 3> turned_about_z(const matrix<T, 3, 3>& A, T cosine, T sine) {
+PASSIVE_HAPTICS_INLINE inline matrix<T, 3, 3> turned_about_z(const matrix<T, 3, 3>& A, T cosine, T sine) {
   matrix<T, 3, 3> B;
   B << cosine * A.col(0) + sine * A.col(1), cosine * A.col(1) - sine * A.col(0), A.col(2);
   return B;
 }
 
 template <class T>
-[[gnu::always_inline]] inline matrix<T, 3, 3> turned_about_x(const matrix<T, 3, 3>& A, T cosine, T sine) {
+PASSIVE_HAPTICS_INLINE inline matrix<T, 3, 3> turned_about_x(const matrix<T, 3, 3>& A, T cosine, T sine) {
   matrix<T, 3, 3> B;
   B << A.col(0), cosine * A.col(1) + sine * A.col(2), cosine * A.col(2) - sine * A.col(1);
   return B;

@@ -36,7 +36,8 @@ std::string validate(const mesh_parameters<D>& p) {
   if (p.facets.empty()) return "a mesh has no facets: expected one or more";
   for (std::size_t i = 0; i < p.vertices.size(); ++i) {
     if (!all_finite(p.vertices[i]))
-      return detail::indexed("vertex ", i, " of a mesh is not finite: expected metres");
+      return check_value(detail::indexed("vertices[", i, "]").c_str(), p.vertices[i], "m", range::finite,
+                         "a mesh");
   }
   for (std::size_t i = 0; i < p.facets.size(); ++i) {
     const auto name = [i](const char* what) {

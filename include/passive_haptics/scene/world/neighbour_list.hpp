@@ -34,7 +34,8 @@ class neighbour_list {
 
   neighbour_list() = default;
 
-  /// other_count: items outside the tree. scale [m]: maximum coordinate, for the rounding of distances.
+  /// other_count: items outside the tree. scale [m]: maximum coordinate of bounded items, for the rounding of
+  /// distances. A plane through a point 1 km away may be touched 1e-13 m late, by its own rounding.
   neighbour_list(std::size_t other_count, double scale) : others_(other_count, 0.0), scale_(scale) {}
 
   /// Calls look(item) for each item that a finite, not idle x may touch. look returns the distance that the

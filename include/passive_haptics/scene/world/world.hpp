@@ -34,7 +34,7 @@ class world {
   /// Throws std::invalid_argument with the text of validate(walls).
   explicit world(const world_walls<D>& walls)
       : geometry_(std::make_shared<const geometry>(require_valid(walls))) {
-    near_ = neighbour_list<D>(geometry_->others.size(), geometry_->tree.scale());
+    near_ = neighbour_list<D>(geometry_->others.size(), geometry_->extent);
     motions_.resize(geometry_->moving.size());
     trackers_.resize(geometry_->trackers.back());
     if (geometry_->needs_proxy) proxy_ = detail::handle_proxy<D>(walls.all().size(), geometry_->extent);
@@ -207,7 +207,7 @@ class world {
     add_touched(w.number, x);
     return distance;
   }
-  [[gnu::always_inline]] double sense_wall(const numbered_wall& w, world_item item, const point<D>& x) {
+  PASSIVE_HAPTICS_INLINE double sense_wall(const numbered_wall& w, world_item item, const point<D>& x) {
     touched_.clear();
     if (item.is_in_tree()) return w.wall.look(x, x, margin_, nullptr, touched_);
     const std::size_t k = item.place();
@@ -219,7 +219,7 @@ class world {
     for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
     return distance;
   }
-  [[gnu::always_inline]] void add_touched(int number, const point<D>& x) {
+  PASSIVE_HAPTICS_INLINE void add_touched(int number, const point<D>& x) {
     for (contact<D>& c : touched_) {
       c.wall_number = number;
       c.sensed_at = x;

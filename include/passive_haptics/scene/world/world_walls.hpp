@@ -39,10 +39,11 @@ template <int D>
 std::string validate(const world_walls<D>& walls) {
   for (std::size_t i = 0; i < walls.all().size(); ++i) {
     const bounding_box<D>& b = walls.all()[i].bounds();
-    if (!(b.lower.array() <= b.upper.array()).all())
-      return detail::indexed(
-          "bounds of wall ", i,
-          " of a world are not lower <= upper: expected a box of finite or infinite metres");
+    for (int k = 0; k < D; ++k)
+      if (!(b.lower[k] <= b.upper[k]))
+        return detail::error_text(
+            detail::indexed(detail::indexed("bounds of wall ", i, " of a world: upper["), k, "] [m]"),
+            b.upper[k], "at least lower, " + detail::number_text(b.lower[k]));
   }
   return {};
 }
