@@ -209,6 +209,19 @@ def test_a_function_cannot_call_its_controller():
     assert len(calls) == 2
 
 
+def test_a_function_cannot_resize_arrays_of_its_batch():
+    case = Case("two_link", 300, 11)
+    q, rest = np.full((1000, 2), 0.7), np.zeros((1000, 2))
+
+    def resizing(x):
+        q.resize((0, 2), refcheck=False)
+        return position(x)
+
+    control = ph.controller(arm(position=resizing), case.brakes(), case.scene(), ph.direct_control())
+    with pytest.raises(ValueError, match="cannot resize an array that references or is referenced"):
+        control.batch(q, rest, rest)
+
+
 def test_it_pickles_if_its_functions_do():
     mine = arm()
     assert pickle.loads(pickle.dumps(mine)) == mine and mine != arm(jacobian=None)

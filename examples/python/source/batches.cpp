@@ -104,6 +104,9 @@ py::dict run_batch(const controller& of, py::handle q, py::handle qd, py::handle
   use("outcome", results.outcome);
   for_each_optional(use, results);
 
+  py::list references;  // NumPy does not resize an array with a weak reference
+  for (const py::dict& arrays : {inputs, stored})
+    for (const auto& [name, array] : arrays) references.append(py::weakref(array));
   const auto control = of.held().copy();
   const auto run = [&](std::size_t first, std::size_t count) {
     deferred_error errors;
