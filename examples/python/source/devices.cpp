@@ -40,7 +40,7 @@ rt::cycle_record controller::step(const rt::state_view& state) {
     require_length("hand_force", state.hand_force.size(), std::size_t(sizes.task_dimension));
   else if (held_->needs_hand_force())
     refuse_value("hand_force = None: expected a force [N]: the law needs one; or use a law that needs none");
-  const auto alone = only_call(is_called_);
+  const auto called = only_call(is_called_);
   deferred_error errors;
   const rt::cycle_record record = (*held_)(state);
   errors.rethrow();
