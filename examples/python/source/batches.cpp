@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <future>
-#include <optional>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -28,7 +27,7 @@ void use_array(const py::array& array, std::array<ph::strided_span<T>, Max>& col
   for (py::ssize_t i = 0; i < array.shape(1); ++i) ph::nth(columns, i) = column<T>(array, i);
 }
 
-// Numbers of states, in place if they are aligned doubles. Result: the array that holds them.
+// Sets the columns to the numbers of states, in place if they are aligned doubles; returns their array.
 template <class Columns>
 py::array use_numbers(const char* name, py::handle x, int rows, int width, Columns& columns) {
   const py::array array = matrix_from(x, name, rows, width);

@@ -1,4 +1,4 @@
-// Mechanisms, states, controllers and batches, for devices.py and controllers.py of the package.
+// Mechanisms, states and controllers, for devices.py and controllers.py of the package.
 #include "devices.hpp"
 
 #include <catalogue/catalogue.hpp>
@@ -8,7 +8,6 @@
 
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <cstring>
 
 namespace passive_haptics_python {
